@@ -1,0 +1,50 @@
+# What every target of this repository shares: the language level, the warnings, and one function that turns a
+# folder into a target named after its place (core/errors becomes Nineline::core::errors).
+
+option(NINELINE_BUILD_TESTS "Build the tests and benchmarks" ON)
+option(NINELINE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
+set(NINELINE_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, for example address,undefined")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+find_program(NINELINE_CCACHE ccache)
+if(NINELINE_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${NINELINE_CCACHE}")
+endif()
+
+add_library(nineline_options INTERFACE)
+target_compile_options(nineline_options INTERFACE -Wall -Wextra -Wconversion -Wshadow)
+if(NINELINE_WARNINGS_AS_ERRORS)
+  target_compile_options(nineline_options INTERFACE -Werror)
+endif()
+if(NINELINE_SANITIZE)
+  add_compile_options(-fsanitize=${NINELINE_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${NINELINE_SANITIZE})
+endif()
+
+# nineline_add_module(<layer> <folder> SOURCES … PUBLIC … PRIVATE …)
+# PUBLIC: targets that our headers show; PRIVATE: targets that only the .cpp files use.
+function(nineline_add_module layer name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  set(target nineline_${layer}_${name})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(Nineline::${layer}::${name} ALIAS ${target})
+  target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE nineline_options ${ARG_PRIVATE})
+endfunction()
+
+# nineline_add_test(<name> LABELS … SOURCES … LINK …): one GoogleTest program, one CTest entry for each test.
+function(nineline_add_test name)
+  cmake_parse_arguments(ARG "" "" "LABELS;SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE nineline_options GTest::gmock_main ${ARG_LINK})
+  target_compile_definitions(${name} PRIVATE NINELINE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}")
+endfunction()
