@@ -8,7 +8,8 @@
 
 namespace nineline::errors {
 
-/// One error component by its ISO 230-1 name: EZZ, EXZ, EAZ (motion errors of joint Z), B0Z, X0C (location errors).
+/// One error component by its ISO 230-1 name: EZZ, EXZ, EAZ (motion errors of joint Z), B0Z, X0C (location
+/// errors).
 struct Component {
   AxisId axis;            ///< the joint
   int row = 0;            ///< 0 1 2: translation along x y z of the joint's frame; 3 4 5: rotation about them

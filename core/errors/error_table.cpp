@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-
 namespace nineline::errors {
 
 namespace {
@@ -61,12 +60,16 @@ std::vector<double> periodicCurvatures(const std::vector<double>& y, double h) {
 
 Result<ErrorTable> ErrorTable::make(const Grid& grid, std::vector<double> values) {
   if (values.empty()) return badInput("table.empty", "An error table needs at least one value.");
-  if (!std::isfinite(grid.start)) return badInput("table.start", "The start of an error table is not finite.");
+  if (!std::isfinite(grid.start))
+    return badInput("table.start", "The start of an error table is not finite.");
   if (!(grid.spacing > 0.0) || !std::isfinite(grid.spacing)) {
-    return badInput("table.spacing", fmt::format("The spacing of an error table is {}, expected a number above 0.", grid.spacing));
+    return badInput(
+        "table.spacing",
+        fmt::format("The spacing of an error table is {}, expected a number above 0.", grid.spacing));
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!std::isfinite(values[i])) return badInput("table.value", fmt::format("Value {} of an error table is not finite.", i + 1));
+    if (!std::isfinite(values[i]))
+      return badInput("table.value", fmt::format("Value {} of an error table is not finite.", i + 1));
   }
   const std::size_t n = values.size();
   if (grid.period && std::abs(static_cast<double>(n) * grid.spacing - *grid.period) > 1e-6 * *grid.period) {
@@ -78,17 +81,21 @@ Result<ErrorTable> ErrorTable::make(const Grid& grid, std::vector<double> values
   const std::vector<double>& y = table.values_;
   const double h = grid.spacing;
   const bool cubic = grid.interpolation == Interpolation::Cubic;
-  const std::vector<double> m = !cubic ? std::vector<double>(n, 0.0) : grid.period ? periodicCurvatures(y, h) : naturalCurvatures(y, h);
+  const std::vector<double> m = !cubic        ? std::vector<double>(n, 0.0)
+                                : grid.period ? periodicCurvatures(y, h)
+                                              : naturalCurvatures(y, h);
   const std::size_t segments = grid.period ? n : (n > 1 ? n - 1 : 1);
   for (std::size_t i = 0; i < segments; ++i) {
     const std::size_t k = (i + 1) % n;
-    table.coefficients_.push_back({y[i], (y[k] - y[i]) / h - h * (2.0 * m[i] + m[k]) / 6.0, 0.5 * m[i], (m[k] - m[i]) / (6.0 * h)});
+    table.coefficients_.push_back(
+        {y[i], (y[k] - y[i]) / h - h * (2.0 * m[i] + m[k]) / 6.0, 0.5 * m[i], (m[k] - m[i]) / (6.0 * h)});
   }
   return table;
 }
 
 double ErrorTable::end() const {
-  return grid_.period ? grid_.start + *grid_.period : grid_.start + grid_.spacing * static_cast<double>(values_.size() - 1);
+  return grid_.period ? grid_.start + *grid_.period
+                      : grid_.start + grid_.spacing * static_cast<double>(values_.size() - 1);
 }
 
 bool ErrorTable::covers(double position) const {
@@ -101,7 +108,9 @@ ErrorTable::Place ErrorTable::place(double position) const {
   if (grid_.period) x -= *grid_.period * std::floor(x / *grid_.period);
   const double last = end() - grid_.start;
   if (x <= 0.0) return {0, 0.0, x < 0.0};
-  if (x >= last) return {coefficients_.size() - 1, values_.size() > 1 || grid_.period ? grid_.spacing : 0.0, x > last && !grid_.period};
+  if (x >= last)
+    return {coefficients_.size() - 1, values_.size() > 1 || grid_.period ? grid_.spacing : 0.0,
+            x > last && !grid_.period};
   const auto segment = std::min(static_cast<std::size_t>(x / grid_.spacing), coefficients_.size() - 1);
   return {segment, x - static_cast<double>(segment) * grid_.spacing, false};
 }

@@ -12,8 +12,8 @@ enum class Interpolation {
   Linear
 };
 
-/// One error over the positions of one joint, on an equally spaced grid. Positions in mm or rad, values in mm or rad.
-/// Outside the grid the end value holds; a periodic table has no outside. A value.
+/// One error over the positions of one joint, on an equally spaced grid. Positions in mm or rad, values in mm
+/// or rad. Outside the grid the end value holds; a periodic table has no outside. A value.
 class ErrorTable {
  public:
   struct Grid {

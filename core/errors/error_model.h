@@ -1,0 +1,78 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/errors/effect.h"
+#include "core/errors/table_bundle.h"
+
+namespace nineline::errors {
+
+using kinematics::JointDisplacements;
+using kinematics::Machine;
+using kinematics::ToolPose;
+
+/// The past of a model's effects along one path; see Effect. Made by ErrorModel::startMemory.
+using EffectMemory = std::vector<double>;
+
+/// Everything known about a machine: its structure and an ordered list of effects on its joints. A value;
+/// cheap to copy, because effects are shared.
+class ErrorModel {
+ public:
+  /// Fails when two tables of one joint name different reference points.
+  [[nodiscard]] static Result<ErrorModel> make(Machine machine, std::vector<EffectPtr> effects);
+  /// The ideal machine.
+  explicit ErrorModel(Machine machine);
+
+  [[nodiscard]] const Machine& machine() const { return machine_; }
+  [[nodiscard]] const std::vector<EffectPtr>& effects() const { return effects_; }
+
+  /// Displacement of every joint at a state; `memory` empty for a single instant.
+  void displacements(const MachineState& state, std::span<const double> memory,
+                     JointDisplacements& out) const;
+  /// Their derivatives with respect to the joints' own positions.
+  void slopes(const MachineState& state, const JointDisplacements& displacements,
+              kinematics::DisplacementSlopes& out) const;
+
+  /// Pose of the actual tool in the workpiece frame.
+  [[nodiscard]] ToolPose actualPose(const MachineState& state, std::span<const double> memory = {}) const;
+  /// Pose of the ideal tool: no errors.
+  [[nodiscard]] ToolPose idealPose(const MachineState& state) const { return forward(machine_, state.q); }
+  /// Actual pose and Jacobian with respect to the joint positions, the slopes of the errors included.
+  [[nodiscard]] ToolPose actualPoseWithJacobian(const MachineState& state, std::span<const double> memory,
+                                                kinematics::PoseJacobian& jacobian) const;
+
+  [[nodiscard]] std::size_t memorySize() const { return memory_size_; }
+  [[nodiscard]] EffectMemory startMemory(const MachineState& state) const;
+  void advance(const MachineState& from, const MachineState& to, std::span<double> memory) const;
+
+  /// Conditions that effects need and the state lacks, each once.
+  [[nodiscard]] std::vector<std::string> missingConditions(const MachineState& state) const;
+  /// The first effect whose data do not cover the state, −1 when all do.
+  [[nodiscard]] int firstUncovered(const MachineState& state) const;
+  /// Shortest distance of a joint over which its errors can bend (mm, rad); infinite where they are straight.
+  [[nodiscard]] double featureLength(int joint) const {
+    return feature_lengths_[static_cast<std::size_t>(joint)];
+  }
+  /// Take-up of a joint at a reversal, the sum over its effects (mm, rad).
+  [[nodiscard]] double play(int joint) const { return plays_[static_cast<std::size_t>(joint)]; }
+
+ private:
+  struct Reference {
+    int joint;
+    Eigen::Vector3d point;
+  };
+  [[nodiscard]] Result<void> collectReferences();
+  void prepare();
+  Machine machine_;
+  std::vector<EffectPtr> effects_;
+  std::vector<TableBundle> bundles_;
+  std::vector<EffectPtr> others_;  // effects that are no tables, in order
+  std::vector<Reference> references_;
+  std::size_t memory_size_ = 0;
+  JointPositions feature_lengths_{};
+  JointPositions plays_{};
+};
+
+}  // namespace nineline::errors
