@@ -27,6 +27,9 @@ struct ProgramSetup {
 [[nodiscard]] nc::AxisLayout axisLayoutOf(const Machine& machine);
 [[nodiscard]] nc::InterpreterOptions interpreterOptionsOf(const Machine& machine, const ProgramSetup& setup);
 
+/// Fails when the model needs a temperature or another condition that the setup does not state.
+[[nodiscard]] Result<void> requireConditions(const ErrorModel& model, const ProgramSetup& setup);
+
 /// One place of a simulated tool path.
 struct PathSample {
   std::size_t line = 0;  ///< of the program, from 1
