@@ -14,7 +14,6 @@ namespace nineline::thread_grinding {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 ThreadParameters literatureThread() {
   ThreadParameters p;
@@ -25,6 +24,9 @@ ThreadParameters literatureThread() {
   p.spark_out_passes = 0;
   return p;
 }
+
+/// Programs are long: a failure should not print them.
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// The literature's thread in few passes.
 ThreadParameters quickThread() {
@@ -77,18 +79,19 @@ TEST(ThreadGenerator, TheFirstPassStatesTheWordsWorkedByHand) {
   const std::string text = generated(literatureThread()).text;
   // wz = −1.5: γ = −φ = −(−2π (−1.5)/1.5) = −360°, z = +1.5; retracted to 23.0798 + 0.9202 + 2·0.5 = 25; X 24
   // − 0.02.
-  EXPECT_THAT(text, HasSubstr("(APPROACH)\nG00 X30.000\n"));
-  EXPECT_THAT(text, HasSubstr("Z1.500 C-360.000\nX25.000\nG94 G01 X23.980 F300.000\n"
-                              "G93 G01 Z1.438 C-345.000 F240.000\nZ1.375 C-330.000 F240.000\n"));
-  EXPECT_THAT(text, HasSubstr("Z-16.500 C3960.000 F240.000\nG00 X25.000\n"));
+  EXPECT_TRUE(has(text, "(APPROACH)\nG00 X30.000\n"));
+  EXPECT_TRUE(has(text,
+                  "Z1.500 C-360.000\nX25.000\nG94 G01 X23.980 F300.000\n"
+                  "G93 G01 Z1.438 C-345.000 F240.000\nZ1.375 C-330.000 F240.000\n"));
+  EXPECT_TRUE(has(text, "Z-16.500 C3960.000 F240.000\nG00 X25.000\n"));
 }
 
 TEST(ThreadGenerator, ProgramBeginsAndEndsAsFanucReadsIt) {
   const std::string text = generated(quickThread()).text;
   EXPECT_EQ(text.substr(0, 8), "%\nO0001\n");
-  EXPECT_THAT(text, HasSubstr("G21 G90 G40 G80 G94\nG54\nM03\nM08\n"));
+  EXPECT_TRUE(has(text, "G21 G90 G40 G80 G94\nG54\nM03\nM08\n"));
   EXPECT_THAT(text, testing::EndsWith("\nM09\nM05\nM30\n%\n"));
-  EXPECT_THAT(text, Not(HasSubstr("-0.000")));
+  EXPECT_FALSE(has(text, ("-0.000")));
 }
 
 TEST(ThreadGenerator, EqualParametersGiveEqualBytes) {
@@ -200,7 +203,7 @@ TEST(ThreadGenerator, TaperedThreadsKeepTheirDepthAlongTheCone) {
     ThreadParameters p = quickThread();
     p.taper = taper;
     for (const GrooveRun& run : cutsOf(p)) EXPECT_NEAR(run.depth, run.least_depth, 2e-3);
-    EXPECT_THAT(generated(p).text, HasSubstr(taper > 0.0 ? "X23.653 Z1.438" : "X23.747 Z1.438"));
+    EXPECT_TRUE(has(generated(p).text, taper > 0.0 ? "G01 X23.653 F" : "G01 X23.747 F"));
   }
 }
 
@@ -237,16 +240,16 @@ TEST(ThreadGenerator, OneBlockForEachPassWhenTheStepIsZero) {
   ThreadParameters p = quickThread();
   p.block_step = 0.0;
   const ThreadReport report = generated(p).report;
-  EXPECT_EQ(report.motion_blocks, report.passes * 5U + 1U);
+  EXPECT_EQ(report.motion_blocks, report.passes * 4U + 3U);
 }
 
 TEST(ThreadGenerator, FeedPerMinuteTakesTheSameTime) {
   ThreadParameters p = quickThread();
   p.feed_words = FeedWords::PerMinute;
   const ThreadProgram per_minute = generated(p);
-  EXPECT_THAT(per_minute.text, Not(HasSubstr("G93")));
+  EXPECT_FALSE(has(per_minute.text, ("G93")));
   // √(0.0625² + 15²) mm and deg in 0.25 s
-  EXPECT_THAT(per_minute.text, HasSubstr("G94 G01 Z1.438 C-345.000 F3600.031\nZ1.375 C-330.000\n"));
+  EXPECT_TRUE(has(per_minute.text, "G94 G01 Z1.438 C-345.000 F3600.031\nZ1.375 C-330.000\n"));
   EXPECT_DOUBLE_EQ(per_minute.report.duration, generated(quickThread()).report.duration);
 }
 
@@ -255,8 +258,8 @@ TEST(ThreadGenerator, DressingIsCalledBetweenPasses) {
   p.dress_every_passes = 2;
   p.codes.dress = "M50";
   const std::string text = generated(p).text;
-  EXPECT_THAT(text, HasSubstr("LOST)\nX30.000\nM50\n(PASS 3 OF 5"));
-  EXPECT_THAT(text, Not(HasSubstr("LOST)\nX30.000\nM50\n(PASS 2 OF 5")));
+  EXPECT_TRUE(has(text, "LOST)\nX30.000\nM50\n(PASS 3 OF 4"));
+  EXPECT_FALSE(has(text, ("LOST)\nX30.000\nM50\n(PASS 2 OF 4")));
 }
 
 TEST(ThreadGenerator, OneStartAloneKeepsItsPlace) {
@@ -272,7 +275,7 @@ TEST(ThreadGenerator, CommentsCannotEscapeTheirParentheses) {
   ThreadParameters p = quickThread();
   p.name = "a) G00 X0\n%\xC3\xA9";
   const std::string text = generated(p).text;
-  EXPECT_THAT(text, HasSubstr("O0001\n(A  G00 X0     )\n"));
+  EXPECT_TRUE(has(text, "O0001\n(A  G00 X0    )\n"));
 }
 
 TEST(ThreadGenerator, SpindleAnglesBeyondTheControlsWordsAreRefused) {
