@@ -1,0 +1,290 @@
+#include "core/compensation/motion_planner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/simulation/command_path.h"
+
+namespace nineline::compensation {
+
+using nc::AxisValues;
+using nc::Motion;
+using nc::MotionKind;
+using simulation::jointsOf;
+using simulation::valuesOf;
+
+namespace {
+
+constexpr double kStandstill = 1e-12;
+constexpr int kDeepest = 14;                           // a block becomes 2^14 pieces at most
+constexpr double kRotaryFeature = 15.0 * kPi / 180.0;  // errors turn with a rotary joint: theory.md, 1.8
+constexpr double kSmallestArc = kPi / 180.0;
+constexpr int kMostInner = 32;
+
+AxisValues between(const AxisValues& a, const AxisValues& b, double u) {
+  AxisValues values;
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = a[k] + u * (b[k] - a[k]);
+  return values;
+}
+
+bool isInPlane(const Motion& motion, int axis) {
+  return motion.kind == MotionKind::Arc && (axis == motion.plane[0] || axis == motion.plane[1]);
+}
+
+double radiusOf(const Motion& motion) {
+  return std::hypot(motion.start[static_cast<std::size_t>(motion.plane[0])] - motion.centre[0],
+                    motion.start[static_cast<std::size_t>(motion.plane[1])] - motion.centre[1]);
+}
+
+}  // namespace
+
+MotionPlanner::MotionPlanner(const ErrorModel& model, const ProgramSetup& setup,
+                             const CompensationOptions& options)
+    : model_(model), machine_(model.machine()), options_(options), solver_(model, options) {
+  solver_.conditions() = setup.state;
+}
+
+void MotionPlanner::pass(const Motion& motion) { updateSenses(motion, 0.0, 1.0); }
+
+void MotionPlanner::updateSenses(const Motion& motion, double from, double to) {
+  const AxisValues a = positionAt(motion, machine_.jointCount(), from);
+  const AxisValues b = positionAt(motion, machine_.jointCount(), to);
+  const Result<JointPositions> qa = jointsOf(machine_, a, motion.tool_centre_point);
+  const Result<JointPositions> qb = jointsOf(machine_, b, motion.tool_centre_point);
+  if (!qa || !qb) return;
+  for (std::size_t k = 0; k < senses_.size(); ++k) {
+    const double travel = (*qb)[k] - (*qa)[k];
+    if (std::abs(travel) > kStandstill) senses_[k] = travel > 0.0 ? 1 : -1;
+  }
+}
+
+/// d z / d φ of the ideal tool point about the work spindle, by central differences of the exact chain.
+std::optional<double> MotionPlanner::advanceAt(const Motion& motion, double fraction) const {
+  if (options_.mode != Mode::Thread) return std::nullopt;
+  constexpr double kStep = 1e-4;
+  const double low = std::max(0.0, fraction - kStep);
+  const double high = std::min(1.0, fraction + kStep);
+  const auto tipAt = [&](double t) {
+    return forward(machine_, positionAt(motion, machine_.jointCount(), t)).tip;
+  };
+  const Eigen::Vector3d axis = machine_.joint(machine_.workpieceJointCount() - 1).direction;
+  const Eigen::Vector3d a = tipAt(low);
+  const Eigen::Vector3d b = tipAt(high);
+  const Eigen::Vector3d across_a = a - axis * axis.dot(a);
+  const Eigen::Vector3d across_b = b - axis * axis.dot(b);
+  const double turned = std::atan2(axis.dot(across_a.cross(across_b)), across_a.dot(across_b));
+  if (std::abs(turned) < 1e-9) return std::nullopt;
+  return axis.dot(b - a) / turned;
+}
+
+Result<MotionPlanner::Node> MotionPlanner::solveAt(const Motion& motion, double fraction) {
+  Node node;
+  node.fraction = fraction;
+  const Result<JointPositions> ideal =
+      jointsOf(machine_, positionAt(motion, machine_.jointCount(), fraction), motion.tool_centre_point);
+  if (!ideal) return ideal.error();
+  node.ideal = *ideal;
+  JointPositions guess = node.ideal;
+  for (std::size_t k = 0; k < guess.size(); ++k) {
+    if ((free_ >> k & 1U) != 0) guess[k] += correction_[k];
+  }
+  Result<JointPositions> corrected =
+      solver_.solve({node.ideal, senses_, free_, advanceAt(motion, fraction)}, guess);
+  if (!corrected) return corrected.error();
+  node.corrected = *corrected;
+  for (std::size_t k = 0; k < guess.size(); ++k) correction_[k] = node.corrected[k] - node.ideal[k];
+  if (Result<void> fine = checkLimits(node, motion); !fine) return fine.error();
+  return node;
+}
+
+Result<void> MotionPlanner::checkLimits(const Node& node, const Motion& motion) const {
+  for (int i = 0; i < machine_.jointCount(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const bool rotary = machine_.isRotary(i);
+    const double size = std::abs(node.corrected[k] - node.ideal[k]);
+    const double limit = rotary ? options_.largest_angle_correction : options_.largest_correction;
+    if (size <= limit) continue;
+    return noAnswer("compensation.limit",
+                    fmt::format("Line {}: the correction of {} is {:.6g} {}, above the limit of {:.6g}.",
+                                motion.line, machine_.joint(i).axis.text(), rotary ? degFromRad(size) : size,
+                                rotary ? "deg" : "mm", rotary ? degFromRad(limit) : limit),
+                    {}, motion.line);
+  }
+  if (const int joint = machine_.firstOutsideTravel(node.corrected); joint >= 0) {
+    const double q = node.corrected[static_cast<std::size_t>(joint)];
+    return noAnswer(
+        "travel",
+        fmt::format("Line {}: the corrected command {}{:.4f} lies outside the travel.", motion.line,
+                    machine_.joint(joint).axis.text(), machine_.isRotary(joint) ? degFromRad(q) : q),
+        {}, motion.line);
+  }
+  return {};
+}
+
+/// A joint with play that reverses while others move must cross its play first, alone.
+bool MotionPlanner::needsTakeUp(const Motion& motion, const Senses& before) const {
+  bool reverses = false;
+  int moving = 0;
+  for (int i = 0; i < machine_.jointCount(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (isInPlane(motion, i) || std::abs(motion.end[k] - motion.start[k]) > kStandstill) ++moving;
+    if (model_.play(i) > 0.0 && (free_ >> k & 1U) != 0 && before[k] != 0 && senses_[k] != before[k])
+      reverses = true;
+  }
+  return reverses && moving > 1;
+}
+
+Result<void> MotionPlanner::plan(const Motion& motion, unsigned free, const AxisValues& from,
+                                 std::vector<Piece>& pieces) {
+  pieces.clear();
+  exceeded_ = false;
+  free_ = solver_.freeJoints(free);
+  for (std::size_t k = 0; k < correction_.size(); ++k) correction_[k] = from[k] - motion.start[k];
+  if (motion.tool_centre_point) correction_.fill(0.0);
+  std::vector<double> cuts;
+  may_split_ = !options_.keep_block_count && motion.role == nc::MotionRole::Block;
+  if (may_split_) {
+    simulation::reversalFractions(motion, cuts);
+    std::erase_if(cuts, [&](double fraction) {  // only where the axis that reverses there has play
+      const AxisValues at = positionAt(motion, machine_.jointCount(), fraction);
+      const auto first = static_cast<std::size_t>(motion.plane[0]);
+      const auto second = static_cast<std::size_t>(motion.plane[1]);
+      const bool first_reverses =
+          std::abs(at[second] - motion.centre[1]) < std::abs(at[first] - motion.centre[0]);
+      return model_.play(first_reverses ? motion.plane[0] : motion.plane[1]) == 0.0;
+    });
+  }
+  double begin = 0.0;
+  cuts.push_back(1.0);
+  for (const double end : cuts) {
+    if (Result<void> planned = planSection(motion, begin, end, begin == 0.0, from, pieces); !planned)
+      return planned;
+    begin = end;
+  }
+  return {};
+}
+
+Result<void> MotionPlanner::planSection(const Motion& motion, double from, double to, bool first,
+                                        const AxisValues& at, std::vector<Piece>& pieces) {
+  const Senses before = senses_;
+  updateSenses(motion, from, from + 0.5 * (to - from));
+  const bool rapid = motion.kind == MotionKind::Rapid;
+  Node start;
+  start.fraction = from;
+  if (first && !needsTakeUp(motion, before)) {
+    // The corrected program stands where its last block put it, rounding included.
+    const Result<JointPositions> ideal = jointsOf(machine_, motion.start, motion.tool_centre_point);
+    const Result<JointPositions> corrected = jointsOf(machine_, at, motion.tool_centre_point);
+    if (!ideal) return ideal.error();
+    if (!corrected) return corrected.error();
+    start.ideal = *ideal;
+    start.corrected = *corrected;
+  } else {
+    const Result<Node> solved = solveAt(motion, from);
+    if (!solved) return solved.error();
+    start = *solved;
+    if (needsTakeUp(motion, before) && may_split_ && !rapid) {
+      Piece take_up;
+      take_up.end = valuesOf(machine_, start.corrected, motion.tool_centre_point);
+      take_up.from = take_up.to = from;
+      take_up.take_up = true;
+      pieces.push_back(take_up);
+    }
+  }
+  const Result<Node> end = solveAt(motion, to);
+  if (!end) return end.error();
+  for (std::size_t k = 0; k < largest_.size(); ++k)
+    largest_[k] = std::max(largest_[k], std::abs(end->corrected[k] - end->ideal[k]));
+  if (rapid) {
+    Piece piece;
+    piece.end = valuesOf(machine_, end->corrected, motion.tool_centre_point);
+    pieces.push_back(piece);
+    return {};
+  }
+  return refine(motion, start, *end, 0, pieces);
+}
+
+Result<void> MotionPlanner::refine(const Motion& motion, const Node& a, const Node& b, int depth,
+                                   std::vector<Piece>& pieces) {
+  Piece piece;
+  piece.from = a.fraction;
+  piece.to = b.fraction;
+  piece.end = valuesOf(machine_, b.corrected, motion.tool_centre_point);
+  const Result<bool> fits =
+      motion.kind == MotionKind::Arc ? arcFits(motion, a, b, piece) : lineFits(motion, a, b);
+  if (!fits) return fits.error();
+  const bool too_short =
+      motion.kind == MotionKind::Arc && std::abs(motion.sweep) * (b.fraction - a.fraction) < kSmallestArc;
+  if (*fits || depth >= kDeepest || too_short || !may_split_) {
+    exceeded_ = exceeded_ || !*fits;
+    pieces.push_back(piece);
+    return {};
+  }
+  const Result<Node> middle = solveAt(motion, 0.5 * (a.fraction + b.fraction));
+  if (!middle) return middle.error();
+  if (Result<void> left = refine(motion, a, *middle, depth + 1, pieces); !left) return left;
+  return refine(motion, *middle, b, depth + 1, pieces);
+}
+
+double MotionPlanner::distance(const JointPositions& a, const JointPositions& b, double& tilt) {
+  const ToolPose pose_a = forward(machine_, a);
+  const ToolPose pose_b = forward(machine_, b);
+  tilt = pose_a.axis.cross(pose_b.axis).norm();
+  return (pose_a.tip - pose_b.tip).norm();
+}
+
+int MotionPlanner::innerSamples(const Motion& motion, const Node& a, const Node& b) const {
+  double features = 0.0;
+  for (int i = 0; i < machine_.jointCount(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double travel = isInPlane(motion, i)
+                              ? std::abs(motion.sweep) * (b.fraction - a.fraction) * radiusOf(motion)
+                              : std::abs(b.ideal[k] - a.ideal[k]);
+    if (travel < kStandstill) continue;
+    const double feature =
+        machine_.isRotary(i) ? std::min(model_.featureLength(i), kRotaryFeature) : model_.featureLength(i);
+    features = std::max(features, travel / feature);
+  }
+  return std::clamp(static_cast<int>(std::ceil(2.0 * features)), 1, kMostInner);
+}
+
+/// A block that is short against every feature of the errors cannot bend: its bow is below |correction| ·
+/// (ℓ/L)²/2.
+bool MotionPlanner::isSmooth(const Motion& motion, const Node& a, const Node& b) const {
+  double bow = 0.0;
+  double correction = 0.0;
+  for (int i = 0; i < machine_.jointCount(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    correction =
+        std::max(correction, std::abs(b.corrected[k] - b.ideal[k]) * (machine_.isRotary(i) ? 100.0 : 1.0));
+    const double feature =
+        machine_.isRotary(i) ? std::min(model_.featureLength(i), kRotaryFeature) : model_.featureLength(i);
+    const double travel =
+        isInPlane(motion, i) ? std::abs(motion.sweep) * radiusOf(motion) : std::abs(b.ideal[k] - a.ideal[k]);
+    bow += travel / feature;
+  }
+  return correction * bow * bow < 0.1 * options_.tolerance;
+}
+
+Result<bool> MotionPlanner::lineFits(const Motion& motion, const Node& a, const Node& b) {
+  if (isSmooth(motion, a, b)) return true;
+  const int inner = innerSamples(motion, a, b);
+  const AxisValues from = valuesOf(machine_, a.corrected, motion.tool_centre_point);
+  const AxisValues to = valuesOf(machine_, b.corrected, motion.tool_centre_point);
+  for (int i = 1; i <= inner; ++i) {
+    const double u = static_cast<double>(i) / (inner + 1);
+    const Result<Node> node = solveAt(motion, a.fraction + u * (b.fraction - a.fraction));
+    if (!node) return node.error();
+    const Result<JointPositions> on_line = jointsOf(machine_, between(from, to, u), motion.tool_centre_point);
+    if (!on_line) return on_line.error();
+    double tilt = 0.0;
+    const double off = distance(*on_line, node->corrected, tilt);
+    if (off > options_.tolerance || tilt > options_.angle_tolerance) return false;
+  }
+  return true;
+}
+
+}  // namespace nineline::compensation

@@ -1,0 +1,137 @@
+#include "core/compensation/point_solver.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/SVD>
+#include <cmath>
+
+#include "core/simulation/joint_errors.h"
+
+namespace nineline::compensation {
+
+using kinematics::Machine;
+using kinematics::PoseJacobian;
+using kinematics::PoseResidual;
+using kinematics::PoseTarget;
+
+namespace {
+
+constexpr int kMostIterations = 12;
+constexpr double kSmallStep = 1e-10;  // mm
+constexpr double kSmallTurn = 1e-13;  // rad
+constexpr double kLargestStep = 5.0;  // mm, theory.md 1.6
+constexpr double kLargestTurn = 0.1;  // rad
+
+struct StepSize {
+  double linear = 0.0;
+  double rotary = 0.0;
+};
+
+StepSize sizeOf(const Machine& machine, const JointPositions& step) {
+  StepSize size;
+  for (int i = 0; i < machine.jointCount(); ++i) {
+    double& largest = machine.isRotary(i) ? size.rotary : size.linear;
+    largest = std::max(largest, std::abs(step[static_cast<std::size_t>(i)]));
+  }
+  return size;
+}
+
+}  // namespace
+
+bool hasWorkSpindle(const Machine& machine) {
+  return machine.workpieceJointCount() > 0 && machine.isRotary(machine.workpieceJointCount() - 1);
+}
+
+PointSolver::PointSolver(const ErrorModel& model, const CompensationOptions& options)
+    : model_(model), mode_(options.mode) {}
+
+unsigned PointSolver::freeJoints(unsigned positioned) const {
+  const Machine& machine = model_.machine();
+  unsigned linear = 0;
+  int linear_count = 0;
+  for (int i = 0; i < machine.jointCount(); ++i) {
+    const unsigned bit = 1U << static_cast<unsigned>(i);
+    if ((positioned & bit) == 0 || machine.isRotary(i)) continue;
+    linear |= bit;
+    ++linear_count;
+  }
+  const bool linear_only = mode_ == Mode::Thread || (mode_ == Mode::TipOnly && linear_count >= 3);
+  return linear_only ? linear : positioned;
+}
+
+ToolPose PointSolver::actualPose(const JointPositions& q, const std::array<std::int8_t, kMaxAxes>& approach) {
+  state_.q = q;
+  state_.approach = approach;
+  return model_.actualPose(state_);
+}
+
+JointPositions PointSolver::threadStep(const PoseJacobian& jacobian, const PoseResidual& left,
+                                       const PoseTarget& target, const Request& request) const {
+  const Machine& machine = model_.machine();
+  // The work spindle's axis passes through the origin of W; only the radius and the lead of the groove count
+  // (theory.md, 1.7, eq. 6, first order: Newton's method brings the rest).
+  const Eigen::Vector3d axis = machine.joint(machine.workpieceJointCount() - 1).direction;
+  const Eigen::Vector3d across = target.tip - axis * axis.dot(target.tip);
+  const double radius = across.norm();
+  Eigen::Matrix<double, 2, 3> rows;
+  const Eigen::Vector3d radial = radius > 0.0 ? Eigen::Vector3d(across / radius) : axis.unitOrthogonal();
+  rows.row(0) = radial.transpose();
+  rows.row(1) =
+      (axis - (request.advance && radius > 0.0 ? *request.advance / radius : 0.0) * axis.cross(radial))
+          .transpose();
+  using Small = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, kMaxAxes>;
+  Small A(2, machine.jointCount());
+  for (int i = 0; i < machine.jointCount(); ++i) {
+    const bool free = (request.free >> static_cast<unsigned>(i) & 1U) != 0;
+    A.col(i) = free ? Eigen::Vector2d(rows * jacobian.col(i).head<3>()) : Eigen::Vector2d::Zero();
+  }
+  Eigen::JacobiSVD<Small> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  svd.setThreshold(1e-4);
+  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxAxes, 1> y = svd.solve(rows * left.head<3>());
+  JointPositions result{};
+  for (int i = 0; i < machine.jointCount(); ++i) result[static_cast<std::size_t>(i)] = y[i];
+  return result;
+}
+
+JointPositions PointSolver::step(const PoseJacobian& jacobian, const PoseResidual& left,
+                                 const PoseTarget& target, const Request& request) const {
+  if (mode_ == Mode::Thread) return threadStep(jacobian, left, target, request);
+  kinematics::StepOptions options;
+  options.free = request.free;
+  return leastSquaresStep(model_.machine(), jacobian, left, target, options);
+}
+
+Result<JointPositions> PointSolver::solve(const Request& request, const JointPositions& guess) {
+  const Machine& machine = model_.machine();
+  PoseJacobian jacobian;
+  const ToolPose wanted = forwardWithJacobian(machine, request.ideal, jacobian);
+  PoseTarget::Rotation rotation = simulation::solvableRotation(machine, request.free);
+  if (mode_ != Mode::Auto && rotation == PoseTarget::Rotation::Axis) rotation = PoseTarget::Rotation::None;
+  const PoseTarget target = simulation::targetOf(wanted, rotation);
+  JointPositions q = guess;
+  PoseResidual left = PoseResidual::Zero();
+  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    // The ideal Jacobian differs from the actual one by the slopes of the errors, 1e-4 or so: each step gains
+    // four digits. Should that be too slow, the exact one takes over.
+    left = residual(target, actualPose(q, request.approach));
+    if (iteration == 6) static_cast<void>(model_.actualPoseWithJacobian(state_, {}, jacobian));
+    const JointPositions dq = step(jacobian, left, target, request);
+    const StepSize size = sizeOf(machine, dq);
+    if (!(size.linear <= kLargestStep) || !(size.rotary <= kLargestTurn)) {
+      return noAnswer(
+          "compensation.step",
+          fmt::format(
+              "No command puts the tool on the ideal point: a step of {:.3g} mm and {:.3g} rad would be "
+              "needed. Is the tool near an axis about which it should turn?",
+              size.linear, size.rotary));
+    }
+    for (std::size_t k = 0; k < q.size(); ++k) q[k] += dq[k];
+    if (size.linear <= kSmallStep && size.rotary <= kSmallTurn * 100.0) return q;
+  }
+  return noAnswer(
+      "compensation.convergence",
+      fmt::format("The correction does not converge: {:.3g} mm and {:.3g} rad are left after {} steps.",
+                  left.head<3>().norm(), left.tail<3>().norm(), kMostIterations));
+}
+
+}  // namespace nineline::compensation

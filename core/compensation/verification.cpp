@@ -1,0 +1,188 @@
+#include "core/compensation/verification.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/simulation/command_path.h"
+
+namespace nineline::compensation {
+
+using kinematics::Machine;
+using nc::Motion;
+using nc::MotionKind;
+using simulation::Deviation;
+using simulation::DeviationStatistics;
+using simulation::PathState;
+
+namespace {
+
+constexpr double kChord = 0.002;  // mm
+constexpr std::size_t kMotionsBetweenReports = 4096;
+
+/// Hands out the motions of a program one by one.
+class MotionStream {
+ public:
+  MotionStream(const Machine& machine, const ProgramSetup& setup, nc::TextSource& text)
+      : interpreter_(text, simulation::interpreterOptionsOf(machine, setup)) {}
+
+  /// The next motion, nullptr after the last; valid until the next call.
+  Result<const Motion*> next() {
+    while (index_ >= motions_.size()) {
+      const Result<const nc::ExecutedBlock*> block = interpreter_.next();
+      if (!block) return block.error();
+      if (*block == nullptr) return nullptr;
+      motions_ = (*block)->motions;
+      index_ = 0;
+    }
+    return &motions_[index_++];
+  }
+
+ private:
+  nc::Interpreter interpreter_;
+  std::span<const Motion> motions_;
+  std::size_t index_ = 0;
+};
+
+bool sameMeaning(const Motion& a, const Motion& b, bool whole) {
+  const bool same_kind = a.kind == b.kind || (!whole && b.kind != MotionKind::Arc);
+  const bool same_feed =
+      a.feed_mode == b.feed_mode &&
+      (a.feed == b.feed || a.feed_mode == nc::FeedMode::InverseTime || b.kind == MotionKind::Rapid);
+  return same_kind && same_feed && a.role == b.role && a.spindle_speed == b.spindle_speed &&
+         a.tool_centre_point == b.tool_centre_point && a.cutter_compensation == b.cutter_compensation;
+}
+
+double tiltBetween(const ToolPose& a, const ToolPose& b) {
+  return std::atan2(a.axis.cross(b.axis).norm(), a.axis.dot(b.axis));
+}
+
+class Comparison {
+ public:
+  Comparison(const ErrorModel& model, const ProgramSetup& setup)
+      : model_(model),
+        machine_(model.machine()),
+        path_before_(model, setup.state, setup.start),
+        path_after_(model, setup.state, setup.start),
+        cut_before_(machine_.jointCount()),
+        cut_after_(machine_.jointCount()),
+        all_before_(machine_.jointCount()),
+        all_after_(machine_.jointCount()) {}
+
+  Result<void> compare(const Motion& original, const Motion& corrected, double from, double to) {
+    const Result<JointPositions> start =
+        simulation::jointsOf(machine_, corrected.start, corrected.tool_centre_point);
+    const Result<JointPositions> end =
+        simulation::jointsOf(machine_, corrected.end, corrected.tool_centre_point);
+    if (!start) return start.error();
+    if (!end) return end.error();
+    sampleFractions(model_, corrected, *start, *end, path_after_.state().approach, kChord, fractions_);
+    for (const double u : fractions_) {
+      const Result<JointPositions> q = jointsAt(corrected, u);
+      const Result<JointPositions> ideal = jointsAt(original, from + u * (to - from));
+      if (!q) return q.error();
+      if (!ideal) return ideal.error();
+      path_after_.moveTo(*q, 0.0);
+      path_before_.moveTo(*ideal, 0.0);
+      if (const int joint = machine_.firstOutsideTravel(*q); joint >= 0) {
+        return noAnswer("travel",
+                        fmt::format("The corrected command of axis {} lies outside its travel.",
+                                    machine_.joint(joint).axis.text()),
+                        {}, original.line);
+      }
+      take(original, *ideal);
+    }
+    return {};
+  }
+
+  Verification result() const {
+    const bool cuts = !cut_before_.empty();
+    return {cuts ? cut_before_.summary() : all_before_.summary(),
+            cuts ? cut_after_.summary() : all_after_.summary()};
+  }
+
+ private:
+  Result<JointPositions> jointsAt(const Motion& motion, double u) const {
+    return simulation::jointsOf(machine_, positionAt(motion, machine_.jointCount(), u),
+                                motion.tool_centre_point);
+  }
+
+  void take(const Motion& original, const JointPositions& ideal_q) {
+    const ToolPose ideal = forward(machine_, ideal_q);
+    const ToolPose before = path_before_.actualPose();
+    const ToolPose after = path_after_.actualPose();
+    const double step = first_ ? 0.0 : (ideal.tip - last_tip_).norm();
+    first_ = false;
+    last_tip_ = ideal.tip;
+    const Deviation deviation_before = simulation::deviationOf(machine_, ideal_q, ideal, before);
+    const Deviation deviation_after = simulation::deviationOf(machine_, ideal_q, ideal, after);
+    all_before_.add(deviation_before, tiltBetween(ideal, before), step);
+    all_after_.add(deviation_after, tiltBetween(ideal, after), step);
+    if (original.kind == MotionKind::Rapid || original.role == nc::MotionRole::Machine) return;
+    cut_before_.add(deviation_before, tiltBetween(ideal, before), step);
+    cut_after_.add(deviation_after, tiltBetween(ideal, after), step);
+  }
+
+  const ErrorModel& model_;
+  const Machine& machine_;
+  PathState path_before_;
+  PathState path_after_;
+  std::vector<double> fractions_;
+  DeviationStatistics cut_before_, cut_after_, all_before_, all_after_;
+  Eigen::Vector3d last_tip_ = Eigen::Vector3d::Zero();
+  bool first_ = true;
+};
+
+Error differs(std::size_t line, const char* what) {
+  return noAnswer(
+      "compensation.check",
+      fmt::format(
+          "The check of the corrected program failed at line {} of the original: {}. Nothing was written.",
+          line, what),
+      {}, line);
+}
+
+}  // namespace
+
+Result<Verification> verifyCorrection(const ErrorModel& model, const ProgramSetup& setup,
+                                      nc::TextSource& original, nc::TextSource& corrected,
+                                      const PieceLog& log, Progress& progress) {
+  MotionStream originals(model.machine(), setup, original);
+  MotionStream correcteds(model.machine(), setup, corrected);
+  Comparison comparison(model, setup);
+  std::size_t index = 0;
+  std::size_t span = 0;
+  for (;;) {
+    const Result<const Motion*> motion = originals.next();
+    if (!motion) return motion.error();
+    if (*motion == nullptr) break;
+    const Motion first = **motion;
+    if (index >= log.counts().size()) return differs(first.line, "a motion is missing");
+    const std::size_t count = log.counts()[index++];
+    for (std::size_t i = 0; i < count; ++i) {
+      const Result<const Motion*> piece = correcteds.next();
+      if (!piece) return piece.error();
+      if (*piece == nullptr) return differs(first.line, "a motion is missing");
+      const PieceLog::Span part = count == 1 ? PieceLog::Span{} : log.spans()[span++];
+      const bool take_up = count > 1 && part.from == part.to;
+      if (!take_up && !sameMeaning(first, **piece, count == 1))
+        return differs(first.line, "a motion means something else");
+      if (Result<void> compared = comparison.compare(first, **piece, static_cast<double>(part.from),
+                                                     static_cast<double>(part.to));
+          !compared) {
+        return compared.error();
+      }
+    }
+    if (index % kMotionsBetweenReports == 0) {
+      if (progress.isCancelled()) return cancelled();
+      progress.report(0.5 + 0.5 * static_cast<double>(index) / static_cast<double>(log.counts().size()),
+                      "check");
+    }
+  }
+  const Result<const Motion*> rest = correcteds.next();
+  if (!rest) return rest.error();
+  if (*rest != nullptr) return differs((*rest)->line, "a motion was added");
+  return comparison.result();
+}
+
+}  // namespace nineline::compensation

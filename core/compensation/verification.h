@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/compensation/piece_log.h"
+
+namespace nineline::compensation {
+
+struct Verification {
+  DeviationSummary before;
+  DeviationSummary after;
+};
+
+/// Reads the original and the corrected program side by side and simulates both, apart from the solver:
+/// deviation of the actual tool from the original's ideal path, before and after. Fails when the corrected
+/// program does not mean what the original means: another motion, feed, spindle speed or count of motions.
+[[nodiscard]] Result<Verification> verifyCorrection(const ErrorModel& model, const ProgramSetup& setup,
+                                                    nc::TextSource& original, nc::TextSource& corrected,
+                                                    const PieceLog& log, Progress& progress);
+
+}  // namespace nineline::compensation
