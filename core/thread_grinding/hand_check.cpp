@@ -71,14 +71,14 @@ std::optional<Error> judgeRun(const GrooveRun& run, const ThreadParameters& p, c
 }
 
 /// How many different grooves there are at full depth.
-int groovesOf(const std::vector<GrooveRun>& runs, const ThreadPlan& plan, double depth_tolerance,
-              double apart) {
+int groovesOf(const std::vector<GrooveRun>& runs, const ThreadParameters& p, const ThreadPlan& plan,
+              double depth_tolerance, double apart) {
   std::vector<const GrooveRun*> grooves;
   const double lead = plan.geometry.lead;
   for (const GrooveRun& run : runs) {
     if (run.depth < plan.depth - depth_tolerance) continue;
     const bool known = std::any_of(grooves.begin(), grooves.end(), [&](const GrooveRun* other) {
-      const double along = run.slope * (run.middle_angle - other->middle_angle);
+      const double along = signOf(p.hand) * lead / kTurn * (run.middle_angle - other->middle_angle);
       return std::abs(std::remainder(run.middle_wz - other->middle_wz - along, lead)) < apart;
     });
     if (!known) grooves.push_back(&run);
@@ -118,7 +118,7 @@ Result<CutThread> judgeCut(const VirtualCut& cut, const ThreadParameters& p, con
   thread.lead = std::abs(runs.back().slope) * kTurn;
   thread.depth = runs.back().depth;
   thread.runs = runs.size();
-  thread.starts = groovesOf(runs, plan, rounding.depth, 2.0 * rounding.axial);
+  thread.starts = groovesOf(runs, p, plan, rounding.depth, 2.0 * rounding.axial);
   if (thread.starts != static_cast<int>(starts))
     return wrongThread(fmt::format("{} grooves were cut, asked for {}", thread.starts, starts));
   return thread;

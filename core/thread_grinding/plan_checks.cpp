@@ -63,6 +63,12 @@ void checkInfeed(const ThreadCase& c, Diagnostics& findings) {
 }
 
 void checkFinishing(const ThreadCase& c, Diagnostics& findings) {
+  const double resolution = std::pow(10.0, -c.parameters.decimals) / c.parameters.axes.x_factor;
+  if (c.parameters.finishing_passes > 0 && c.parameters.finishing_infeed < resolution * (1.0 - 1e-9)) {
+    findings.error("thread.finishing_infeed", finding("finishing_infeed_mm", c.parameters.finishing_infeed,
+                                                      fmt::format("at least the word step {:g}", resolution),
+                                                      "passes are rounded to the same depth"));
+  }
   const double finishing = c.parameters.finishing_passes * c.parameters.finishing_infeed;
   if (finishing >= c.plan.depth) {
     findings.error("thread.finishing_passes",
@@ -219,8 +225,17 @@ void checkTravel(const ThreadCase& c, Diagnostics& findings) {
   const double x_1 = axes.x_sign * (std::min({outside, deepest + cone_1, deepest + cone_2}) - axes.x_zero);
   const double x_2 = axes.x_sign * (std::max({outside, deepest + cone_1, deepest + cone_2}) - axes.x_zero);
   checkRange(findings, "X", c.limits.x, std::min(x_1, x_2), std::max(x_1, x_2));
-  const double z_1 = axes.z_sign * (c.parameters.start_z - c.plan.first_wz - axes.z_zero);
-  const double z_2 = axes.z_sign * (c.parameters.start_z - c.plan.last_wz - axes.z_zero);
+  // Flank infeed shifts roughing along the axis; a bore is entered from `safety` before the first pass.
+  const double shift = c.parameters.infeed_mode == InfeedMode::Radial
+                           ? 0.0
+                           : c.plan.depth * std::tan(c.plan.geometry.half_angle);
+  const double entry = c.parameters.type == ThreadType::Internal ? c.parameters.safety : 0.0;
+  const double low_wz =
+      std::min(c.plan.first_wz, c.plan.last_wz) - std::max(shift, c.parameters.towards_plus ? entry : 0.0);
+  const double high_wz =
+      std::max(c.plan.first_wz, c.plan.last_wz) + std::max(shift, c.parameters.towards_plus ? 0.0 : entry);
+  const double z_1 = axes.z_sign * (c.parameters.start_z - low_wz - axes.z_zero);
+  const double z_2 = axes.z_sign * (c.parameters.start_z - high_wz - axes.z_zero);
   checkRange(findings, "Z", c.limits.z, std::min(z_1, z_2), std::max(z_1, z_2));
 }
 

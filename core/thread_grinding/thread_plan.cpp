@@ -83,6 +83,7 @@ ThreadPath passPath(const ThreadParameters& p, const ThreadPlan& plan, double de
   path.contact_height = p.contact_height;
   if (p.infeed_mode != InfeedMode::Radial)
     path.axial_shift = roughing_side * (plan.depth - depth) * std::tan(plan.geometry.half_angle);
+  path.radius += p.taper * path.axial_shift;  // the cone's surface where the shifted groove lies
   return path;
 }
 
@@ -90,7 +91,9 @@ double retractX(const ThreadParameters& p, const ThreadPlan& plan) {
   const double cone_1 = p.taper * plan.first_wz;
   const double cone_2 = p.taper * plan.last_wz;
   const double furthest = plan.inward > 0.0 ? std::max(cone_1, cone_2) : std::min(cone_1, cone_2);
-  return radiusAtDepth(plan, plan.depth) + furthest + plan.inward * plan.relief;
+  const double radius = radiusAtDepth(plan, plan.depth) + furthest + plan.inward * plan.relief;
+  const double height = std::min(std::abs(p.contact_height), std::abs(radius));
+  return std::copysign(std::sqrt((std::abs(radius) - height) * (std::abs(radius) + height)), radius);
 }
 
 double blocksPerPass(const ThreadParameters& p, const ThreadPlan& plan) {

@@ -115,6 +115,8 @@ TEST(ThreadChecks, PassesOutOfLimits) {
       {[](Draft& d) { d.p.finishing_passes = -1; }, Severity::Error, "thread.finishing_passes", "at least 0"},
       {[](Draft& d) { d.p.finishing_passes = 2, d.p.finishing_infeed = 0.0; }, Severity::Error,
        "thread.finishing_infeed", "spark_out"},
+      {[](Draft& d) { d.p.finishing_passes = 1, d.p.decimals = 2; }, Severity::Error,
+       "thread.finishing_infeed", "word step 0.01"},
       {[](Draft& d) { d.p.finishing_passes = 10, d.p.finishing_infeed = 0.1; }, Severity::Error,
        "thread.finishing_passes", "roughing"},
       {[](Draft& d) { d.p.speed_first = 0.0; }, Severity::Error, "thread.speed", "does not turn"},

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <random>
 #include <string>
 
 #include "core/base/file.h"
@@ -286,6 +288,48 @@ TEST(ThreadGenerator, SpindleAnglesBeyondTheControlsWordsAreRefused) {
   const Result<ThreadProgram> program = generateThread(p, {});
   ASSERT_FALSE(program);
   EXPECT_EQ(program.error().code, "thread.word_range");
+}
+
+TEST(ThreadGenerator, RandomSoundParametersNeverFailTheirOwnCheck) {
+  std::mt19937 random(20260101);  // NOLINT: the seed is fixed by intention
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+  };
+  const auto coin = [&] { return random() % 2 == 0; };
+  std::size_t made = 0;
+  for (int i = 0; i < 200; ++i) {
+    ThreadParameters p;
+    p.diameter = between(6.0, 200.0);
+    p.pitch = between(0.35, 6.0);
+    p.length = between(0.5, 60.0);
+    p.starts = 1 + static_cast<int>(random() % 4);
+    p.hand = coin() ? Hand::Right : Hand::Left;
+    p.type = coin() ? ThreadType::External : ThreadType::Internal;
+    p.taper = coin() ? 0.0 : between(-0.06, 0.06);
+    p.start_angle = between(-kPi, kPi);
+    p.start_z = between(-100.0, 100.0);
+    p.infeed = between(0.1, 0.5);
+    p.infeed_mode = std::array{InfeedMode::Radial, InfeedMode::Flank, InfeedMode::Alternating}[random() % 3];
+    p.finishing_passes = static_cast<int>(random() % 3);
+    p.speed_plan = coin() ? SpeedPlan::Linear : SpeedPlan::Geometric;
+    p.towards_plus = coin();
+    p.return_mode = coin() ? ReturnMode::Unwind : ReturnMode::Continue;
+    p.feed_words = coin() ? FeedWords::InverseTime : FeedWords::PerMinute;
+    p.contact_height = coin() ? 0.0 : between(-0.3, 0.3) * p.diameter / 2.0;
+    p.block_step = coin() && p.taper == 0.0 ? 0.0 : radFromDeg(between(5.0, 90.0));
+    p.decimals = 2 + static_cast<int>(random() % 4);
+    p.axes = {
+        coin() ? 1.0 : -1.0, coin() ? 1.0 : -1.0, coin() ? 1.0 : -1.0, coin() ? 1.0 : 2.0, 0.0, 5.0, 0.25};
+    const Result<ThreadProgram> program = generateThread(p, {});
+    if (!program) {
+      EXPECT_NE(program.error().code, "thread.hand_check") << i << ": " << program.error().message();
+      continue;
+    }
+    ++made;
+    EXPECT_EQ(program->report.cut.hand, p.hand) << i;
+    EXPECT_EQ(program->report.cut.starts, p.starts) << i;
+  }
+  EXPECT_GT(made, 120U);
 }
 
 TEST(ThreadGenerator, TravelIsNoAnswer) {
