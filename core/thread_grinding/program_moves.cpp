@@ -1,62 +1,52 @@
 #include "core/thread_grinding/program_moves.h"
 
-#include <fmt/format.h>
-
-#include <array>
-#include <optional>
 #include <string>
 
-#include "core/base/text.h"
+#include "core/nc/interpreter.h"
+#include "core/nc/text_source.h"
 #include "core/thread_grinding/program_text.h"
 
 namespace nineline::thread_grinding {
 namespace {
 
-/// Splits "G94 G01 X23.9 F300.000" at its blanks into letter and value; comments give nothing.
-std::optional<std::array<std::optional<double>, 3>> readBlock(std::string_view line,
-                                                              std::optional<bool>& rapid) {
-  std::array<std::optional<double>, 3> axes;
-  if (line.empty() || line.front() == '(' || line.front() == '%') return axes;
-  for (const std::string_view word : split(line, ' ')) {
-    if (word.empty()) continue;
-    const std::optional<double> value = parseNumber(word.substr(1));
-    if (!value && word.front() == '(') return axes;
-    if (!value) return std::nullopt;
-    if (word == "G00") rapid = true;
-    if (word == "G01") rapid = false;
-    if (word.front() == 'X') axes[0] = *value;
-    if (word.front() == 'Z') axes[1] = *value;
-    if (word.front() == 'C') axes[2] = *value;
-  }
-  return axes;
+constexpr std::size_t kX = 0;
+constexpr std::size_t kZ = 1;
+constexpr std::size_t kC = 2;
+constexpr nc::AxisMask kAllAxes = nc::axisBit(0) | nc::axisBit(1) | nc::axisBit(2);
+
+nc::InterpreterOptions optionsFor(const AxisConvention& axes) {
+  nc::InterpreterOptions options;
+  options.dialect = nc::Dialect::Fanuc;
+  options.axes.count = 3;
+  options.axes.axes[kX] = {AxisId{'X'}, false, axes.x_factor == 2.0};
+  options.axes.axes[kZ] = {AxisId{'Z'}, false, false};
+  options.axes.axes[kC] = {AxisId{'C'}, true, false};
+  return options;
+}
+
+ThreadPoint pointAtAxes(const nc::AxisValues& position, const AxisConvention& axes) {
+  return pointOf({axes.x_factor * position[kX], position[kZ], degFromRad(position[kC])}, axes);
 }
 
 }  // namespace
 
 Result<void> forEachMove(std::string_view program, const AxisConvention& axes,
                          const std::function<void(const VirtualMove&)>& use) {
-  std::array<std::optional<double>, 3> at;
-  std::optional<bool> rapid;
-  std::size_t number = 0;
-  for (const std::string_view line : split(program, '\n')) {
-    ++number;
-    const auto words = readBlock(line, rapid);
-    if (!words) {
-      return badInput("thread.program", fmt::format("'{}' is not understood.", printable(line)),
-                      "thread program", number);
+  nc::MemoryText text("thread program", std::string(program));
+  nc::Interpreter interpreter(text, optionsFor(axes));
+  nc::AxisMask known = 0;
+  while (true) {
+    const Result<const nc::ExecutedBlock*> block = interpreter.next();
+    if (!block) return block.error();
+    if (*block == nullptr) return {};
+    for (const nc::Motion& motion : (*block)->motions) {
+      const bool placed = known == kAllAxes;
+      known = static_cast<nc::AxisMask>(known | (motion.established & kAllAxes));
+      if (!placed) continue;
+      use({pointAtAxes(motion.start, axes), pointAtAxes(motion.end, axes),
+           motion.kind == nc::MotionKind::Rapid, motion.line});
     }
-    const bool known = at[0] && at[1] && at[2];
-    const AxisWords from = known ? AxisWords{*at[0], *at[1], *at[2]} : AxisWords{};
-    bool moved = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!(*words)[i]) continue;
-      at[i] = (*words)[i];
-      moved = true;
-    }
-    if (!known || !moved) continue;
-    use({pointOf(from, axes), pointOf({*at[0], *at[1], *at[2]}, axes), rapid.value_or(true), number});
   }
-  return {};
 }
 
 }  // namespace nineline::thread_grinding
