@@ -10,6 +10,8 @@
 
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/nc/interpreter.h"
+#include "core/nc/text_source.h"
 #include "core/thread_grinding/program_moves.h"
 
 namespace nineline::thread_grinding {
@@ -288,6 +290,42 @@ TEST(ThreadGenerator, SpindleAnglesBeyondTheControlsWordsAreRefused) {
   const Result<ThreadProgram> program = generateThread(p, {});
   ASSERT_FALSE(program);
   EXPECT_EQ(program.error().code, "thread.word_range");
+}
+
+TEST(ThreadGenerator, ACodeThatChangesWhatWordsMeanIsCaught) {
+  for (const char* code : {"G91", "G20", "G18 G68 X0 Z0 R10"}) {
+    ThreadParameters p = quickThread();
+    p.codes.c_axis_on = code;
+    const Result<ThreadProgram> program = generateThread(p, {});
+    ASSERT_FALSE(program) << code;
+    EXPECT_EQ(program.error().kind, ErrorKind::NoAnswer) << program.error().message();
+  }
+}
+
+TEST(ThreadGenerator, InverseTimeWordsGiveTheWorkSpeedOfEachPass) {
+  const ThreadProgram program = generated(quickThread());
+  nc::MemoryText text("thread", program.text);
+  nc::InterpreterOptions options;
+  options.dialect = nc::Dialect::Fanuc;
+  options.axes.count = 3;
+  options.axes.axes[0] = {AxisId{'X'}, false, false};
+  options.axes.axes[1] = {AxisId{'Z'}, false, false};
+  options.axes.axes[2] = {AxisId{'C'}, true, false};
+  nc::Interpreter interpreter(text, options);
+  std::vector<double> speeds;
+  while (true) {
+    const Result<const nc::ExecutedBlock*> block = interpreter.next();
+    ASSERT_TRUE(block) << block.error().message();
+    if (*block == nullptr) break;
+    for (const nc::Motion& motion : (*block)->motions) {
+      if (motion.kind != nc::MotionKind::Linear || motion.feed_mode != nc::FeedMode::InverseTime) continue;
+      const double speed = std::abs(motion.end[2] - motion.start[2]) * motion.feed;
+      if (speeds.empty() || std::abs(speeds.back() - speed) > 1e-4) speeds.push_back(speed);
+    }
+  }
+  ASSERT_EQ(speeds.size(), program.passes.size());
+  for (std::size_t i = 0; i < speeds.size(); ++i) EXPECT_NEAR(speeds[i], program.passes[i].speed, 1e-4);
+  EXPECT_TRUE(interpreter.diagnostics().all().empty());
 }
 
 TEST(ThreadGenerator, RandomSoundParametersNeverFailTheirOwnCheck) {
