@@ -80,7 +80,7 @@ void Generator::writeHead() {
   if (p_.taper != 0.0) text_.comment(fmt::format("TAPER {:g} OF RADIUS PER MM", p_.taper));
   text_.comment(fmt::format("WHEEL DIAMETER {:g}, RIBS {}, SWIVEL {:.4f} DEG", plan_.wheel_diameter,
                             p_.wheel_ribs, degFromRad(plan_.wheel_tilt)));
-  text_.comment(fmt::format("X ZERO: WORK AXIS, {}; Z ZERO AS SET; C ABSOLUTE OVER MANY TURNS, ROLL-OVER OFF",
+  text_.comment(fmt::format("X ZERO IS THE WORK AXIS, {}, C IS ABSOLUTE OVER MANY TURNS, ROLL-OVER OFF",
                             p_.axes.x_factor == 2.0 ? "WORDS ARE DIAMETERS" : "WORDS ARE RADII"));
   text_.comment(p_.feed_words == FeedWords::InverseTime
                     ? "F WITH G93: BLOCKS PER MINUTE"
