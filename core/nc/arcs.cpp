@@ -48,13 +48,18 @@ void centreFromWords(Execution& e, const WordFrame& frame, const ArcPlane& plane
   AxisValues centre{};
   centre[plane.u] = u / frame.factor[plane.u];
   centre[plane.v] = v / frame.factor[plane.v];
-  if (e.modal.arc_absolute) {
-    const AxisValues position = frame.positionOf(centre, e.options.axes.count);
-    motion.centre = {position[plane.u], position[plane.v]};
-  } else {
+  const bool u_absolute = e.modal.arc_absolute || (w.absolute_centre & letterBit(plane.u_letter)) != 0;
+  const bool v_absolute = e.modal.arc_absolute || (w.absolute_centre & letterBit(plane.v_letter)) != 0;
+  if (!u_absolute && !v_absolute) {
     const AxisValues offset = frame.displacementOf(centre, e.options.axes.count);
     motion.centre = {motion.start[plane.u] + offset[plane.u], motion.start[plane.v] + offset[plane.v]};
+    return;
   }
+  const AxisValues start = frame.wordsOf(motion.start, e.options.axes.count);
+  if (!u_absolute) centre[plane.u] += start[plane.u];
+  if (!v_absolute) centre[plane.v] += start[plane.v];
+  const AxisValues position = frame.positionOf(centre, e.options.axes.count);
+  motion.centre = {position[plane.u], position[plane.v]};
 }
 
 bool centreFromRadius(Execution& e, const ArcPlane& plane, bool ccw, Motion& motion) {

@@ -291,6 +291,7 @@ bool addWord(Execution& e, const Word& word) {
     return repeated(e, word);
   }
   e.words.letters |= bit;
+  if (word.mode == WordMode::Absolute) e.words.absolute_centre |= bit;
   e.words.letter[letterIndex(word.letter)] = word.value;
   return true;
 }
@@ -300,7 +301,7 @@ bool addWord(Execution& e, const Word& word) {
 bool gatherWords(Execution& e) {
   BlockWords& w = e.words;
   w.axes = w.plain = w.increments = w.absolutes = w.shortest = 0;
-  w.letters = w.groups = 0;
+  w.letters = w.groups = w.absolute_centre = 0;
   w.non_modal = w.motion_action = w.length_action = CodeAction::Unknown;
   w.machine_coordinates = w.unknown_code = w.cancels_cycle = w.m_codes = false;
   for (const Word& word : e.block.words) {

@@ -129,6 +129,10 @@ bool executeWords(Execution& e) {
         w.non_modal != CodeAction::SpindleLimit)
       takeFeedAndSpeed(e);
   }
+  if (e.dialect == Dialect::Siemens && w.has('L')) {
+    return failAt(e, code::kNoSuchLabel, 'L',
+                  fmt::format("The subprogram L{} is not in this file", w.of('L')));
+  }
   if (w.unknown_code) {
     const std::string name = fmt::format("G{}", w.unknown_tenths / 10.0);
     if (w.axes != 0)

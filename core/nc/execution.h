@@ -69,7 +69,8 @@ struct BlockWords {
   AxisMask absolutes = 0;   ///< by AC( ), DC( )
   AxisMask shortest = 0;    ///< by DC( )
   std::uint32_t letters = 0;
-  std::uint32_t groups = 0;  ///< modal groups named
+  std::uint32_t absolute_centre = 0;  ///< I J K written as AC( )
+  std::uint32_t groups = 0;           ///< modal groups named
   CodeAction non_modal = CodeAction::Unknown;
   int non_modal_code = 0;
   CodeAction motion_action = CodeAction::Unknown;  ///< of a motion code that stands in the block

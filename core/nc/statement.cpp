@@ -185,6 +185,8 @@ LineMark markOf(std::string_view text, Dialect dialect) {
       mark.block_label = name;
     } else {
       mark.flow = flowOf(name);
+      const bool jumps = mark.flow == Flow::If && upper(at.rest()).find("GOTO") != std::string::npos;
+      if (jumps) mark.flow = Flow::None;
     }
     return mark;
   }

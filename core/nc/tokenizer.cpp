@@ -55,6 +55,12 @@ const char* readWord(const char* p, const char* last, const char* line, Word& wo
   return end;
 }
 
+/// LinuxCNC: `(abort,…)` and `;py,…` are comments that act; they begin with this letter.
+bool mayAct(const char* p, const char* last, char letter) {
+  p = skipBlanks(p, last);
+  return p != last && upperOf(*p) == letter;
+}
+
 /// After a word only a blank, a letter or a comment may follow; anything else makes it an expression.
 bool endsWord(const char* p, const char* last) {
   if (p == last) return true;
@@ -99,9 +105,10 @@ bool readPlainWords(Block& block, Dialect dialect) {
         break;
       }
       case CharacterClass::Semicolon:
-        return true;
+        return dialect != Dialect::LinuxCnc || !mayAct(p + 1, last, 'P');
       case CharacterClass::Parenthesis: {
-        if (dialect == Dialect::Siemens) return false;
+        if (dialect == Dialect::Siemens || (dialect == Dialect::LinuxCnc && mayAct(p + 1, last, 'A')))
+          return false;
         do ++p;
         while (p != last && *p != ')');
         if (p == last) return false;
