@@ -50,6 +50,8 @@ void centreFromWords(Execution& e, const WordFrame& frame, const ArcPlane& plane
   centre[plane.v] = v / frame.factor[plane.v];
   const bool u_absolute = e.modal.arc_absolute || (w.absolute_centre & letterBit(plane.u_letter)) != 0;
   const bool v_absolute = e.modal.arc_absolute || (w.absolute_centre & letterBit(plane.v_letter)) != 0;
+  e.executed.centre_absolute = u_absolute && v_absolute;
+  e.executed.centre_mixed = u_absolute != v_absolute;
   if (!u_absolute && !v_absolute) {
     const AxisValues offset = frame.displacementOf(centre, e.options.axes.count);
     motion.centre = {motion.start[plane.u] + offset[plane.u], motion.start[plane.v] + offset[plane.v]};
@@ -156,7 +158,7 @@ bool executeArc(Execution& e, const WordFrame& frame) {
   motion.established = e.established;
   e.position = motion.end;
   e.executed.motions = {&motion, 1};
-  e.executed.rewritable = w.axes == w.plain && e.executed.depth == 0;
+  e.executed.rewritable = w.axes == w.plain && !e.executed.centre_mixed;
   return true;
 }
 

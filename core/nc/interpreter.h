@@ -36,12 +36,14 @@ struct ExecutedBlock {
   const Block* block = nullptr;
   std::span<const Motion> motions;   ///< empty for blocks that move nothing; several for cycles
   const WordFrame* frame = nullptr;  ///< of the block's axis words
-  bool rewritable = false;   ///< one motion of role Block or Thread whose plain axis words state its end
-  bool feed_stated = false;  ///< an F word stands in the block
-  AxisMask has_word = 0;     ///< axes named by a plain number word in the block
-  int motion_code = 0;       ///< active group 1 code: 0, 1, 2, 3, 33…; −1 cancelled (G80)
-  int depth = 0;             ///< 0 in the main program, more inside subprograms
-  bool repeated = false;     ///< the line was executed before (a loop, a subprogram called again)
+  bool rewritable = false;       ///< one motion of role Block or Thread whose plain axis words state its end
+  bool centre_absolute = false;  ///< I J K state the centre itself (G90.1, AC), not the way to it
+  bool centre_mixed = false;     ///< one of them states the centre, the other the way to it
+  bool feed_stated = false;      ///< an F word stands in the block
+  AxisMask has_word = 0;         ///< axes named by a plain number word in the block
+  int motion_code = 0;           ///< active group 1 code: 0, 1, 2, 3, 33…; −1 cancelled (G80)
+  int depth = 0;                 ///< 0 in the main program, more inside subprograms
+  bool repeated = false;         ///< the line was executed before (a loop, a subprogram called again)
 };
 
 /// Executes a program block by block in constant memory. Unknown codes pass with a warning; what could be

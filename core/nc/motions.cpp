@@ -38,7 +38,7 @@ void goShortestWay(const Execution& e, AxisValues& end) {
 
 bool isRewritable(const Execution& e) {
   const BlockWords& w = e.words;
-  return w.axes == w.plain && w.shortest == 0 && !w.machine_coordinates && e.executed.depth == 0;
+  return w.axes == w.plain && w.shortest == 0 && !w.machine_coordinates;
 }
 
 AxisMask establishedBy(const Execution& e, const WordFrame& frame) {

@@ -46,7 +46,7 @@ bool executeThread(Execution& e, const WordFrame& frame) {
   motion.established = e.established;
   e.position = motion.end;
   e.executed.motions = {&motion, 1};
-  e.executed.rewritable = e.words.axes == e.words.plain && e.executed.depth == 0;
+  e.executed.rewritable = e.words.axes == e.words.plain;
   return true;
 }
 
