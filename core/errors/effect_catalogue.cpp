@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/errors/parametric_effects.h"
 #include "core/errors/table_effects.h"
@@ -14,12 +15,24 @@ namespace {
 
 using kinematics::Machine;
 
-/// A parameter of a known effect: its units for a linear and an angular component, and the value taken where
-/// the file says nothing (absent: must be stated).
+constexpr double kLargestError_um = 1000.0;
+constexpr double kLargestError_arcsec = 2063.0;  // 0.01 rad
+constexpr double kLargestRatio_um_m = 10000.0;
+constexpr double kLargestGrowth_um_m_C = 1000.0;
+
+/// What a parameter measures; with the component and the joint this decides its unit.
+enum class Quantity {
+  Error,     ///< of the component: um or arcsec
+  Position,  ///< of the joint: mm or deg
+  Phase,     ///< deg
+  Ratio,     ///< um/m
+  Growth     ///< um/m/C
+};
+
+/// A parameter of a known effect, and the value taken where the file says nothing (absent: must be stated).
 struct ParameterRule {
   std::string_view name;
-  std::string_view linear_unit;
-  std::string_view angular_unit;
+  Quantity quantity;
   std::optional<double> otherwise;
 };
 
@@ -58,63 +71,113 @@ std::shared_ptr<Effect> makeThermalScrew(const Machine& machine, int joint, Comp
 
 const std::vector<EffectRule>& rules() {
   static const std::vector<EffectRule> kRules = {
-      {"scale", {{"k", "um/m", "um/m", {}}}, &makeEffect<ScaleEffect>},
+      {"scale", {{"k", Quantity::Ratio, {}}}, &makeEffect<ScaleEffect>},
       {"cyclic",
-       {{"amplitude", "um", "arcsec", {}}, {"period", "mm", "deg", {}}, {"phase", "deg", "deg", 0.0}},
+       {{"amplitude", Quantity::Error, {}},
+        {"period", Quantity::Position, {}},
+        {"phase", Quantity::Phase, 0.0}},
        &makeEffect<CyclicEffect>},
-      {"backlash", {{"width", "um", "arcsec", {}}}, &makeEffect<BacklashEffect>},
-      {"thermal_screw", {{"k", "um/m/C", "um/m/C", {}}, {"q_fixed", "mm", "deg", 0.0}}, &makeThermalScrew},
+      {"backlash", {{"width", Quantity::Error, {}}}, &makeEffect<BacklashEffect>},
+      {"thermal_screw",
+       {{"k", Quantity::Growth, {}}, {"q_fixed", Quantity::Position, 0.0}},
+       &makeThermalScrew},
   };
   return kRules;
 }
 
-std::optional<Parameter> readParameter(JsonReader& reader, const Json& all, const ParameterRule& rule,
-                                       bool angular) {
-  Parameter parameter{std::string(rule.name), std::string(angular ? rule.angular_unit : rule.linear_unit),
-                      0.0, std::nullopt};
-  const Json* json = all.find(rule.name);
+const char* unitOf(Quantity quantity, bool angular, bool rotary) {
+  switch (quantity) {
+    case Quantity::Error:
+      return angular ? "arcsec" : "um";
+    case Quantity::Position:
+      return rotary ? "deg" : "mm";
+    case Quantity::Phase:
+      return "deg";
+    case Quantity::Ratio:
+      return "um/m";
+    case Quantity::Growth:
+      break;
+  }
+  return "um/m/C";
+}
+
+/// Beyond this a value is a mistake of the unit (theory.md, 3.5).
+double limitOf(std::string_view unit) {
+  if (unit == "um") return kLargestError_um;
+  if (unit == "arcsec") return kLargestError_arcsec;
+  if (unit == "um/m") return kLargestRatio_um_m;
+  if (unit == "um/m/C") return kLargestGrowth_um_m_C;
+  return std::numeric_limits<double>::infinity();
+}
+
+void checkParameter(JsonReader& reader, std::string_view key, const Parameter& parameter) {
+  if (std::abs(parameter.value) >= limitOf(parameter.unit)) {
+    reader.fail(key, "model.size",
+                fmt::format("parameter '{}' is {:.6g} {}, larger than any machine's (limit {}).",
+                            parameter.name, parameter.value, parameter.unit, limitOf(parameter.unit)));
+  }
+  if (parameter.name == "period" && parameter.value <= 0.0) {
+    reader.fail(key, "model.period",
+                fmt::format("the period is {}, expected a number above 0.", parameter.value));
+  }
+  if (parameter.sigma && *parameter.sigma < 0.0) {
+    reader.fail("sigma", "model.sigma", fmt::format("'sigma' is {}, expected 0 or more.", *parameter.sigma));
+  }
+}
+
+/// `all`: the entry's member "parameters". A parameter is a number or an object with value, sigma and unit.
+Result<Parameter> readParameter(JsonReader& all, const ParameterRule& rule, std::string unit) {
+  Parameter parameter{std::string(rule.name), std::move(unit), rule.otherwise.value_or(0.0), std::nullopt};
+  const Json* json = all.json().find(rule.name);
   if (json == nullptr) {
-    if (!rule.otherwise)
-      reader.fail(
-          "parameters", "model.parameter",
-          fmt::format("parameter '{}' is missing, expected a number in {}.", rule.name, parameter.unit));
-    parameter.value = rule.otherwise.value_or(0.0);
+    if (rule.otherwise) return parameter;
+    all.fail(rule.name, "model.parameter",
+             fmt::format("'{}' is missing, expected a number in {}.", rule.name, parameter.unit));
+    return all.error();
+  }
+  if (json->members() == nullptr) {
+    parameter.value = all.number(rule.name);
+    if (!all.failed()) checkParameter(all, rule.name, parameter);
+    if (all.failed()) return all.error();
     return parameter;
   }
-  if (json->number() != nullptr) {
-    parameter.value = *json->number();
-    return parameter;
-  }
-  JsonReader inner(*json, reader.source(), fmt::format("parameter '{}'", rule.name));
+  JsonReader inner(*json, all.source(), fmt::format("parameter '{}'", rule.name));
   parameter.value = inner.number("value");
   if (inner.has("sigma")) parameter.sigma = inner.number("sigma");
-  const std::string unit = inner.stringOr("unit", parameter.unit);
-  if (!inner.failed() && unit != parameter.unit) {
-    inner.fail("unit", "model.unit", fmt::format("the unit is '{}', expected '{}'.", unit, parameter.unit));
+  const std::string stated = inner.stringOr("unit", parameter.unit);
+  if (!inner.failed() && stated != parameter.unit) {
+    inner.fail("unit", "model.unit", fmt::format("the unit is '{}', expected '{}'.", stated, parameter.unit));
   }
-  if (inner.failed()) {
-    reader.fail("parameters", inner.error().code, inner.error().text);
-    return std::nullopt;
-  }
+  if (!inner.failed()) checkParameter(inner, "value", parameter);
+  if (inner.failed()) return inner.error();
   return parameter;
 }
 
 Result<std::shared_ptr<Effect>> readParametric(JsonReader& reader, const EffectRule& rule,
                                                const Machine& machine, int joint, Component component) {
   static const Json kNone = Json::object();
-  const Json* all = reader.json().find("parameters");
+  const Json* given = reader.json().find("parameters");
+  JsonReader all(given != nullptr ? *given : kNone, reader.source(),
+                 fmt::format("parameters of '{}'", rule.id));
+  if (given == nullptr) {
+    reader.fail("parameters", "json.missing", "'parameters' is missing, expected an object.");
+    return reader.error();
+  }
+  if (all.failed()) return all.error();
+  const bool rotary = machine.isRotary(joint);
   std::vector<Parameter> parameters;
   for (const ParameterRule& one : rule.parameters) {
-    if (const auto parameter =
-            readParameter(reader, all != nullptr ? *all : kNone, one, component.isAngular())) {
-      parameters.push_back(*parameter);
-    }
-    if (reader.failed()) return reader.error();
-    if (one.name == "period" && parameters.back().value <= 0.0) {
-      reader.fail("parameters", "model.period",
-                  fmt::format("the period is {}, expected a number above 0.", parameters.back().value));
+    const bool per_length = one.quantity == Quantity::Ratio || one.quantity == Quantity::Growth;
+    if (per_length && component.isAngular() != rotary) {
+      reader.fail("component", "model.component",
+                  fmt::format("'{}' in um/m has no meaning for {} of a {} axis.", rule.id, component.text(),
+                              rotary ? "rotary" : "linear"));
       return reader.error();
     }
+    Result<Parameter> parameter =
+        readParameter(all, one, unitOf(one.quantity, component.isAngular(), rotary));
+    if (!parameter) return parameter.error();
+    parameters.push_back(std::move(*parameter));
   }
   return rule.make(machine, joint, component, std::move(parameters), reader);
 }

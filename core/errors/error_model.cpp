@@ -42,22 +42,30 @@ Result<ErrorModel> ErrorModel::make(Machine machine, std::vector<EffectPtr> effe
 Result<void> ErrorModel::collectReferences() {
   for (const EffectPtr& effect : effects_) {
     const auto* table = dynamic_cast<const TableEffect*>(effect.get());
-    if (table == nullptr || effect->component().isAngular() || effect->slot() != Slot::Moved) continue;
-    const auto known = std::find_if(references_.begin(), references_.end(),
-                                    [&](const Reference& one) { return one.joint == effect->joint(); });
+    if (table == nullptr) continue;
+    // Translations without a point refer to the origin; rotations without one say nothing about it.
+    if (effect->component().isAngular() && table->reference().isZero(0.0)) continue;
+    const auto known = std::find_if(references_.begin(), references_.end(), [&](const Reference& one) {
+      return one.joint == effect->joint() && one.slot == effect->slot();
+    });
     if (known == references_.end()) {
-      references_.push_back({effect->joint(), table->reference()});
+      references_.push_back({effect->joint(), effect->slot(), table->reference()});
     } else if (!known->point.isApprox(table->reference(), 1e-12) &&
                (known->point - table->reference()).norm() > 1e-9) {
       return badInput(
           "model.reference",
-          fmt::format(
-              "The translational error tables of axis {} name different reference points; they need one.",
-              machine_.joint(effect->joint()).axis.text()));
+          fmt::format("The error tables of axis {} name different reference points; they need one.",
+                      machine_.joint(effect->joint()).axis.text()));
     }
   }
   std::erase_if(references_, [](const Reference& one) { return one.point.isZero(0.0); });
   return {};
+}
+
+Eigen::Vector3d ErrorModel::referencePoint(const MachineState& state, const Reference& reference) const {
+  if (reference.slot == Slot::Moved) return reference.point;
+  const double angle = state.q[static_cast<std::size_t>(reference.joint)];
+  return kinematics::rotationAbout(machine_.joint(reference.joint).direction, angle) * reference.point;
 }
 
 void ErrorModel::prepare() {
@@ -91,8 +99,9 @@ void ErrorModel::displacements(const MachineState& state, std::span<const double
     used += size;
   }
   for (const Reference& reference : references_) {
-    SmallMotion& moved = out[static_cast<std::size_t>(reference.joint)].moved;
-    moved.translation += reference.point - exponential(moved.rotation) * reference.point;
+    const Eigen::Vector3d point = referencePoint(state, reference);
+    SmallMotion& motion = slotOf(out[static_cast<std::size_t>(reference.joint)], reference.slot);
+    motion.translation += point - exponential(motion.rotation) * point;
   }
 }
 
@@ -111,9 +120,16 @@ void ErrorModel::slopes(const MachineState& state, const JointDisplacements& dis
   }
   for (const Reference& reference : references_) {
     const auto joint = static_cast<std::size_t>(reference.joint);
-    const Eigen::Vector3d& rotation = displacements[joint].moved.rotation;
-    const Eigen::Vector3d turning = kinematics::leftJacobian(rotation) * out[joint].moved.rotation;
-    out[joint].moved.translation -= turning.cross(exponential(rotation) * reference.point);
+    const bool moves = reference.slot == Slot::Moved;
+    SmallMotion& slope = moves ? out[joint].moved : out[joint].standing;
+    const Eigen::Vector3d& rotation =
+        (moves ? displacements[joint].moved : displacements[joint].standing).rotation;
+    const Eigen::Vector3d point = referencePoint(state, reference);
+    const Eigen::Matrix3d R = exponential(rotation);
+    slope.translation -= (kinematics::leftJacobian(rotation) * slope.rotation).cross(R * point);
+    if (moves) continue;
+    const Eigen::Vector3d velocity = machine_.joint(reference.joint).direction.cross(point);
+    slope.translation += velocity - R * velocity;
   }
 }
 

@@ -61,8 +61,11 @@ class ErrorModel {
  private:
   struct Reference {
     int joint;
-    Eigen::Vector3d point;
+    Slot slot;
+    Eigen::Vector3d point;  // in the moved frame
   };
+  /// Where the point stands in the frame of its slot.
+  [[nodiscard]] Eigen::Vector3d referencePoint(const MachineState& state, const Reference& reference) const;
   [[nodiscard]] Result<void> collectReferences();
   void prepare();
   Machine machine_;

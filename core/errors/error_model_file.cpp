@@ -51,7 +51,10 @@ Result<ErrorModel> errorModelFromJson(const Json& json, const std::string& sourc
   Result<ErrorModel> model = ErrorModel::make(std::move(*machine), std::move(effects));
   if (model) return model;
   Error error = model.error();
+  const Json* list = json.find("effects");
   error.source = source;
+  error.line = list->line();
+  error.column = list->column();
   return error;
 }
 

@@ -27,7 +27,11 @@ std::vector<double> naturalCurvatures(const std::vector<double>& y, double h) {
 /// The same for the periodic spline through y[0…n−1], y[n] = y[0]: the cyclic system by Sherman and Morrison.
 std::vector<double> periodicCurvatures(const std::vector<double>& y, double h) {
   const std::size_t n = y.size();
-  if (n < 3) return std::vector<double>(n, 0.0);
+  if (n == 1) return {0.0};
+  if (n == 2) {  // both neighbours of a value are the other one
+    const double m0 = 6.0 * (y[1] - y[0]) / (h * h);
+    return {m0, -m0};
+  }
   std::vector<double> b(n);
   for (std::size_t i = 0; i < n; ++i) {
     b[i] = 6.0 * (y[(i + n - 1) % n] - 2.0 * y[i] + y[(i + 1) % n]) / (h * h);
@@ -72,14 +76,16 @@ Result<ErrorTable> ErrorTable::make(const Grid& grid, std::vector<double> values
       return badInput("table.value", fmt::format("Value {} of an error table is not finite.", i + 1));
   }
   const std::size_t n = values.size();
-  if (grid.period && std::abs(static_cast<double>(n) * grid.spacing - *grid.period) > 1e-6 * *grid.period) {
+  if (grid.period &&
+      !(std::abs(static_cast<double>(n) * grid.spacing - *grid.period) <= 1e-6 * *grid.period)) {
     return badInput("table.period", "A periodic error table must cover the whole period.");
   }
   ErrorTable table;
   table.grid_ = grid;
+  if (grid.period) table.grid_.spacing = *grid.period / static_cast<double>(n);
   table.values_ = std::move(values);
   const std::vector<double>& y = table.values_;
-  const double h = grid.spacing;
+  const double h = table.grid_.spacing;
   const bool cubic = grid.interpolation == Interpolation::Cubic;
   const std::vector<double> m = !cubic        ? std::vector<double>(n, 0.0)
                                 : grid.period ? periodicCurvatures(y, h)

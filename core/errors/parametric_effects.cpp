@@ -96,14 +96,15 @@ void BacklashEffect::start(const MachineState& state, std::span<double> memory) 
   memory[0] = amplitude(state, {});
 }
 
-void BacklashEffect::advance(const MachineState& from, const MachineState& to, std::span<double> memory) const {
+void BacklashEffect::advance(const MachineState& from, const MachineState& to,
+                             std::span<double> memory) const {
   const auto k = static_cast<std::size_t>(joint());
   if (from.approach[k] == 0) {  // nothing is known of the past: the first motion finds the play taken up
     memory[0] = amplitude(to, {});
     return;
   }
-  // The offset follows the command backwards until an edge of the band is reached. A negative width is a control
-  // that over-compensates: the mirror image.
+  // The offset follows the command backwards until an edge of the band is reached. A negative width is a
+  // control that over-compensates: the mirror image.
   const double sense = width_ < 0.0 ? -1.0 : 1.0;
   const double half = 0.5 * std::abs(width_);
   memory[0] = sense * std::clamp(sense * memory[0] + position(from) - position(to), -half, half);
@@ -113,7 +114,8 @@ ThermalScrewEffect::ThermalScrewEffect(const kinematics::Machine& machine, int j
                                        std::vector<Parameter> parameters, std::string sensor)
     : ScalarEffect(machine, joint, component, parameters),
       k_(kMicrometrePerMetre * valueOf(parameters, "k")),
-      fixed_(valueOf(parameters, "q_fixed")),
+      fixed_(machine.isRotary(joint) ? radFromDeg(valueOf(parameters, "q_fixed"))
+                                     : valueOf(parameters, "q_fixed")),
       sensor_(std::move(sensor)) {}
 
 double ThermalScrewEffect::amplitudeSlope(const MachineState& state) const {

@@ -93,7 +93,7 @@ class ThermalScrewEffect final : public ScalarEffect {
   [[nodiscard]] double amplitudeSlope(const MachineState& state) const override;
 
  private:
-  double k_, fixed_;  // 1/°C, mm
+  double k_, fixed_;  // 1/°C, mm or rad
   std::string sensor_;
 };
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kLargestTranslation = 1.0;  // mm; larger is a mistake of the unit (theory.md, 3.5)
 constexpr double kLargestRotation = 0.01;    // rad
+constexpr double kLargestSetting = 10.0;     // mm; the place of an axis is set less finely than it moves
 
 double& rowOf(SmallMotion& motion, int row) {
   return row < 3 ? motion.translation[row] : motion.rotation[row - 3];
@@ -21,8 +22,9 @@ const char* valuesKey(bool angular) { return angular ? "values_arcsec" : "values
 double fromShown(bool angular, double value) { return angular ? radFromArcsec(value) : mmFromUm(value); }
 double toShown(bool angular, double value) { return angular ? arcsecFromRad(value) : umFromMm(value); }
 
-void checkSize(JsonReader& reader, std::string_view key, const Component& component, double value) {
-  const double limit = component.isAngular() ? kLargestRotation : kLargestTranslation;
+void checkSize(JsonReader& reader, std::string_view key, const Component& component, double value,
+               double largest_translation = kLargestTranslation) {
+  const double limit = component.isAngular() ? kLargestRotation : largest_translation;
   if (std::abs(value) < limit || reader.failed()) return;
   reader.fail(
       key, "model.size",
@@ -45,7 +47,8 @@ Interpolation readInterpolation(JsonReader& reader) {
 
 /// Makes a table of a continuous joint that covers one turn periodic. A table that repeats its first value at
 /// the end of the turn loses that value.
-void closeTurn(JsonReader& reader, ErrorTable::Grid& grid, std::vector<double>& values) {
+void closeTurn(JsonReader& reader, std::string_view key, ErrorTable::Grid& grid,
+               std::vector<double>& values) {
   const auto covers = [&](std::size_t count) {
     return std::abs(static_cast<double>(count) * grid.spacing - kTurn) < 1e-6 * kTurn;
   };
@@ -54,12 +57,26 @@ void closeTurn(JsonReader& reader, ErrorTable::Grid& grid, std::vector<double>& 
   } else if (values.size() > 1 && covers(values.size() - 1)) {
     if (std::abs(values.back() - values.front()) > 1e-9) {
       reader.fail(
-          "values_um", "model.closure",
+          key, "model.closure",
           "the values at the start and at the end of the turn differ; a continuous axis needs equal ones.");
     }
     values.pop_back();
     grid.period = kTurn;
   }
+}
+
+/// One uncertainty for each of the `given` values; `kept` of them remain where a turn was closed.
+std::vector<double> readSigmas(JsonReader& reader, std::string_view key, bool angular, std::size_t given,
+                               std::size_t kept) {
+  std::vector<double> sigmas = reader.numbers(key, given);
+  for (double& sigma : sigmas) {
+    if (sigma < 0.0) {
+      reader.fail(key, "model.sigma", fmt::format("'{}' holds {}, expected 0 or more.", key, sigma));
+    }
+    sigma = fromShown(angular, sigma);
+  }
+  sigmas.resize(kept);
+  return sigmas;
 }
 
 }  // namespace
@@ -114,16 +131,18 @@ Result<std::shared_ptr<Effect>> TableEffect::fromJson(JsonReader& reader, const 
   grid.spacing = position(reader.number(rotary ? "spacing_deg" : "spacing_mm"));
   grid.interpolation = readInterpolation(reader);
   std::vector<double> values = reader.numbers(key);
+  const std::size_t given = values.size();
   for (double& value : values) {
     value = fromShown(component.isAngular(), value);
     checkSize(reader, key, component, value);
   }
-  if (!reader.failed() && machine.joint(joint).continuous) closeTurn(reader, grid, values);
+  if (!reader.failed() && machine.joint(joint).continuous) closeTurn(reader, key, grid, values);
   const std::string frame = reader.stringOr("frame", "moved");
   if (frame != "moved" && frame != "fixed") {
     reader.fail("frame", "model.frame", fmt::format("'frame' is '{}', expected 'moved' or 'fixed'.", frame));
   }
   if (reader.failed()) return reader.error();
+  const std::size_t count = values.size();
   Result<ErrorTable> table = ErrorTable::make(grid, std::move(values));
   if (!table) {
     reader.fail(key, table.error().code, table.error().text);
@@ -137,9 +156,7 @@ Result<std::shared_ptr<Effect>> TableEffect::fromJson(JsonReader& reader, const 
   }
   const char* sigma_key = component.isAngular() ? "sigmas_arcsec" : "sigmas_um";
   if (reader.has(sigma_key)) {
-    std::vector<double> sigmas = reader.numbers(sigma_key);
-    for (double& sigma : sigmas) sigma = fromShown(component.isAngular(), sigma);
-    effect->setSigmas(std::move(sigmas));
+    effect->setSigmas(readSigmas(reader, sigma_key, component.isAngular(), given, count));
   }
   if (reader.failed()) return reader.error();
   return std::shared_ptr<Effect>(std::move(effect));
@@ -172,10 +189,14 @@ Result<std::shared_ptr<Effect>> LocationEffect::fromJson(JsonReader& reader, int
   const bool angular = component.isAngular();
   const char* key = angular ? "value_arcsec" : "value_um";
   const double value = fromShown(angular, reader.number(key));
-  checkSize(reader, key, component, angular ? value : value * 0.1);  // setting errors of an axis reach 10 mm
+  checkSize(reader, key, component, value, kLargestSetting);
   std::optional<double> sigma;
   const char* sigma_key = angular ? "sigma_arcsec" : "sigma_um";
   if (reader.has(sigma_key)) sigma = fromShown(angular, reader.number(sigma_key));
+  if (sigma && *sigma < 0.0) {
+    reader.fail(sigma_key, "model.sigma",
+                fmt::format("'{}' is {}, expected 0 or more.", sigma_key, toShown(angular, *sigma)));
+  }
   if (reader.failed()) return reader.error();
   return std::shared_ptr<Effect>(std::make_shared<LocationEffect>(joint, component, value, sigma));
 }

@@ -23,11 +23,11 @@ struct Frame {
   /// Turns about a joint direction; columns alone change where it is an axis of the frame.
   void turn(const Vector3d& direction, double angle) {
     for (int k = 0; k < 3; ++k) {
-      if (std::abs(direction[k]) != 1.0) continue;
-      const double c = std::cos(angle);
-      const double s = std::sin(angle) * direction[k];
       const int a = (k + 1) % 3;
       const int b = (k + 2) % 3;
+      if (direction[a] != 0.0 || direction[b] != 0.0) continue;
+      const double c = std::cos(angle);
+      const double s = std::sin(angle) * direction[k];
       const Vector3d column = R.col(a);
       R.col(a) = c * column + s * R.col(b);
       R.col(b) = c * R.col(b) - s * column;

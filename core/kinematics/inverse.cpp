@@ -16,6 +16,7 @@ using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMa
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxAxes, 1>;
 
 constexpr double kLargestTurn = 0.3;  // rad per step, theory.md 4.3
+constexpr double kWeakest = 1e-11;    // weak directions are walked: the cap keeps their steps tame (4.6)
 
 /// Rotation vector that turns the unit vector `from` into `to`.
 Vector3d turnBetween(const Vector3d& from, const Vector3d& to) {
@@ -53,13 +54,15 @@ Attempt solveFrom(const Machine& machine, const PoseTarget& target, const JointP
   PoseJacobian jacobian;
   ToolPose pose = forwardWithJacobian(machine, attempt.q, jacobian);
   PoseResidual r = residual(target, pose);
+  StepOptions step_options;
+  step_options.weakest = kWeakest;
   for (int iteration = 0; iteration < options.most_iterations; ++iteration) {
     attempt.tip_error = r.head<3>().norm();
     attempt.turn_error = r.tail<3>().norm();
     attempt.converged =
         attempt.tip_error <= options.position_tolerance && attempt.turn_error <= options.rotation_tolerance;
     if (attempt.converged) return attempt;
-    JointPositions step = leastSquaresStep(machine, jacobian, r, target, {});
+    JointPositions step = leastSquaresStep(machine, jacobian, r, target, step_options);
     capTurns(machine, step);
     double fraction = 1.0;
     const double before = weigh(r);

@@ -35,10 +35,18 @@ Result<void> checkJoint(Joint& joint) {
   if (joint.continuous && joint.type == JointType::Linear) {
     return badInput("machine.continuous", fmt::format("Axis {} is linear and cannot be continuous.", name));
   }
+  if (joint.diameter && joint.type == JointType::Rotary) {
+    return badInput("machine.diameter", fmt::format("Axis {} is rotary and has no diameter words.", name));
+  }
+  if (joint.rapid_speed && !(*joint.rapid_speed > 0.0 && std::isfinite(*joint.rapid_speed))) {
+    return badInput("machine.rapid", fmt::format("The rapid speed of axis {} is not above 0.", name));
+  }
   if (joint.travel && !(joint.travel->low < joint.travel->high)) {
     return badInput(
         "machine.travel",
-        fmt::format("The travel of axis {} is empty: its lower end must be below its upper end.", name));
+        fmt::format(
+            "The travel of axis {} ends where it starts or below: its lower end must be below its upper end.",
+            name));
   }
   return {};
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/file.h"
 #include "core/base/units.h"
 
@@ -44,6 +47,24 @@ void readRapid(JsonReader& reader, Joint& joint) {
   joint.rapid_speed = perSecondFromPerMinute(rotary ? radFromDeg(rapid) : rapid);
 }
 
+/// What Machine::make says of this joint, reported at the member that it speaks of ("machine.travel":
+/// travel).
+void checkAlone(JsonReader& reader, const Joint& joint) {
+  Machine::Description alone;
+  alone.tool_chain.push_back(joint);
+  const Result<Machine> machine = Machine::make(std::move(alone));
+  if (machine) return;
+  const std::string& code = machine.error().code;
+  reader.fail(std::string_view(code).substr(code.find('.') + 1), code, machine.error().text);
+}
+
+void checkToolAxis(JsonReader& reader, const Vector3d& axis) {
+  if (std::abs(axis.norm() - 1.0) > 1e-3) {
+    reader.fail("axis", "machine.direction",
+                fmt::format("'axis' has length {:.6g}, expected a unit vector.", axis.norm()));
+  }
+}
+
 Result<Joint> readJoint(const Json& json, const std::string& source, std::string_view chain,
                         std::size_t number) {
   JsonReader reader(json, source, fmt::format("{} joint {}", chain, number));
@@ -64,15 +85,25 @@ Result<Joint> readJoint(const Json& json, const std::string& source, std::string
   joint.continuous = reader.booleanOr("continuous", false);
   joint.diameter = reader.booleanOr("diameter", false);
   if (!reader.failed()) readRapid(reader, joint);
+  if (!reader.failed()) checkAlone(reader, joint);
   if (reader.failed()) return reader.error();
   return joint;
 }
 
-Result<std::vector<Joint>> readChain(JsonReader& reader, std::string_view key) {
+/// Reads a chain behind the joints that are already known, whose names may not come back.
+Result<std::vector<Joint>> readChain(JsonReader& reader, std::string_view key,
+                                     const std::vector<Joint>& known) {
   std::vector<Joint> chain;
   for (const Json& item : reader.items(key)) {
     Result<Joint> joint = readJoint(item, reader.source(), key, chain.size() + 1);
     if (!joint) return joint.error();
+    const auto same = [&joint](const Joint& other) { return other.axis == joint->axis; };
+    if (std::any_of(known.begin(), known.end(), same) || std::any_of(chain.begin(), chain.end(), same)) {
+      JsonReader place(item, reader.source(), fmt::format("{} joint {}", key, chain.size() + 1));
+      place.fail("axis", "machine.axis",
+                 fmt::format("Axis {} occurs twice; give one of them a digit.", joint->axis.text()));
+      return place.error();
+    }
     chain.push_back(*joint);
   }
   if (reader.failed()) return reader.error();
@@ -109,9 +140,9 @@ Result<Machine> machineFromJson(const Json& json, const std::string& source) {
   description.id = reader.string("id");
   description.name = reader.stringOr("name", description.id);
   if (reader.failed()) return reader.error();
-  Result<std::vector<Joint>> workpiece = readChain(reader, "workpiece_chain");
+  Result<std::vector<Joint>> workpiece = readChain(reader, "workpiece_chain", {});
   if (!workpiece) return workpiece.error();
-  Result<std::vector<Joint>> tool = readChain(reader, "tool_chain");
+  Result<std::vector<Joint>> tool = readChain(reader, "tool_chain", *workpiece);
   if (!tool) return tool.error();
   description.workpiece_chain = std::move(*workpiece);
   description.tool_chain = std::move(*tool);
@@ -121,6 +152,7 @@ Result<Machine> machineFromJson(const Json& json, const std::string& source) {
       description.tool_tip = vectorFrom(tool_reader, "tip_mm");
     if (!tool_reader.failed() && tool_reader.has("axis"))
       description.tool_axis = vectorFrom(tool_reader, "axis");
+    if (!tool_reader.failed()) checkToolAxis(tool_reader, description.tool_axis);
     if (tool_reader.failed()) return tool_reader.error();
   }
   Result<Machine> machine = Machine::make(std::move(description));

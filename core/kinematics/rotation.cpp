@@ -1,5 +1,6 @@
 #include "core/kinematics/rotation.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace nineline::kinematics {
@@ -47,17 +48,13 @@ Matrix3d leftJacobian(const Vector3d& w) {
 }
 
 Vector3d logarithm(const Matrix3d& R) {
-  const Vector3d v = 0.5 * Vector3d(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+  // By way of the quaternion: unlike the antisymmetric part of R it stays exact near half a turn.
+  const Eigen::Quaterniond turn(R);
+  const double cosine = std::abs(turn.w());
+  const Vector3d v = turn.w() < 0.0 ? Vector3d(-turn.vec()) : Vector3d(turn.vec());
   const double sine = v.norm();
-  const double cosine = 0.5 * (R.trace() - 1.0);
-  if (sine > 1e-9 || cosine > 0.0) {
-    return sine > 1e-12 ? Vector3d(v * (std::atan2(sine, cosine) / sine)) : v;
-  }
-  // Half a turn: R = 2 u uᵀ − I.
-  Eigen::Index largest = 0;
-  R.diagonal().maxCoeff(&largest);
-  const Vector3d column = R.col(largest) + Matrix3d::Identity().col(largest);
-  return column.normalized() * std::atan2(sine, cosine);
+  if (sine < 1e-150) return Vector3d::Zero();
+  return v * (2.0 * std::atan2(sine, cosine) / sine);
 }
 
 Matrix3d rotationAbout(const Vector3d& axis, double angle) {
