@@ -72,7 +72,8 @@ void checkSizes(Parameters p, Limits, Diagnostics& findings) {
     findings.error("thread.starts",
                    finding("starts", p.starts, "at most 100", "the grooves cut each other away"));
   }
-  above(findings, "thread.length", "length_mm", p.length, 0.0, "nothing is ground");
+  above(findings, "thread.length", "length_mm", p.length, 10.0 * std::pow(10.0, -p.decimals),
+        "nothing is ground");
 }
 
 void checkProfileAngle(Parameters p, Limits, Diagnostics& findings) {

@@ -78,6 +78,7 @@ TEST(ThreadChecks, SizesOutOfLimits) {
       {[](Draft& d) { d.p.starts = 0; }, Severity::Error, "thread.starts", "at least 1"},
       {[](Draft& d) { d.p.starts = 101; }, Severity::Error, "thread.starts", "at most 100"},
       {[](Draft& d) { d.p.starts = 18; }, Severity::Warning, "thread.helix_angle", "at most 10"},
+      {[](Draft& d) { d.p.length = 0.01; }, Severity::Error, "thread.length", "above 0.01"},
       {[](Draft& d) { d.p.length = 0.0; }, Severity::Error, "thread.length", "nothing is ground"},
       {[](Draft& d) { d.p.pitch = std::numeric_limits<double>::quiet_NaN(); }, Severity::Error,
        "thread.finite", "nan"},
