@@ -79,18 +79,16 @@ bool rememberWords(Execution& e, int axis) {
 
 bool setUp(Execution& e, int axis, Drilling& d) {
   const double unit = e.frame.factor[index(axis)];
-  const double start = e.position[index(axis)];
   const double shift = e.frame.shift[index(axis)];
   d.axis = index(axis);
   d.code = e.modal.cycle;
   const bool incremental = contains(e.frame.incremental, axis);
-  const double base = e.dialect == Dialect::Fanuc ? e.cycle.initial : start;
+  const double base = e.cycle.initial;
   d.r = incremental ? base + *e.cycle.r * unit : *e.cycle.r * unit + shift;
   d.bottom = incremental ? d.r + *e.cycle.depth * unit : *e.cycle.depth * unit + shift;
   d.peck = e.cycle.peck.value_or(0.0) * unit;
   if (d.r < d.bottom) return failAt(e, code::kBadValue, 'R', "R lies below the bottom of the hole");
-  const double initial = e.dialect == Dialect::Fanuc ? e.cycle.initial : start;
-  d.clear = e.modal.return_to_plane ? d.r : std::fmax(d.r, initial);
+  d.clear = e.modal.return_to_plane ? d.r : std::fmax(d.r, base);
   return true;
 }
 

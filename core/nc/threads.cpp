@@ -92,9 +92,4 @@ bool executeTurningCycle(Execution& e, int tenths) {
   return true;
 }
 
-bool executeThread76(Execution& e) {
-  return failAt(e, code::kUnknownCode, 'G',
-                "The threading or boring cycle G76 is not understood and could be motion");
-}
-
 }  // namespace nineline::nc
