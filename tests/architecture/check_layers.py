@@ -8,7 +8,7 @@ from layers import Layers
 
 _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.M)
 _STANDARD = re.compile(r"^[a-z_0-9]+$")
-_QT = re.compile(r"^(Qt[A-Z][A-Za-z]*/.*|Q[A-Z][A-Za-z0-9]*|Qt)$")
+_QT = re.compile(r"^(Qt[A-Z][A-Za-z]*(/.*)?|Q[A-Z][A-Za-z0-9]*|Qt)$")
 
 
 def qt_classes(headers):

@@ -39,7 +39,7 @@ class PlantedFaults(unittest.TestCase):
 
     def layers(self):
         headers = self.root / "build" / "qt"  # a folder that the walk leaves out
-        for name in ("QtCore/QString", "QtWidgets/QAction", "QtNetwork/QTcpSocket"):
+        for name in ("QtCore/QString", "QtCore/QtGlobal", "QtWidgets/QAction", "QtNetwork/QTcpSocket"):
             (headers / name).parent.mkdir(parents=True, exist_ok=True)
             (headers / name).touch()
         return check_layers.check(self.root, headers)
@@ -47,7 +47,7 @@ class PlantedFaults(unittest.TestCase):
     def test_layers_without_fault(self):
         self.put("core/errors/model.cpp", '#include "core/errors/model.h"\n\n#include <fmt/format.h>\n\n'
                  '#include <vector>\n\n#include "core/base/text.h"\n')
-        self.put("ui/pages/page.cpp", '#include <QAction>\n\n#include "core/errors/model.h"\n')
+        self.put("ui/pages/page.cpp", '#include <QAction>\n#include <QtGlobal>\n\n#include "core/errors/model.h"\n')
         self.expect(self.layers())
 
     def test_layers_upwards(self):
