@@ -1,0 +1,66 @@
+#include "app/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+
+#include "app/cli/commands.h"
+#include "app/cli/console.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/option_values.h"
+
+namespace nineline::cli {
+
+namespace {
+
+void addCommonOptions(CLI::App& app, Console::Options& options) {
+  app.add_flag("--json", options.json, "Print the result record as one JSON object, nothing else");
+  app.add_flag("--quiet", options.quiet, "Print no progress and no summary");
+  addInteger(app, "--threads", {1, 1024}, options.threads, "Use at most N threads");
+  app.set_version_flag("--version", "nineline-cli " NINELINE_VERSION);
+}
+
+/// What was asked for is shown (--help), what was wrong is said with the usage of the command in question.
+int reportParse(const CLI::App& app, const CLI::ParseError& fault, Console& console) {
+  const std::vector<const CLI::App*> chosen = app.get_subcommands([](const CLI::App*) { return true; });
+  if (fault.get_exit_code() == 0) return app.exit(fault);
+  console.error(usageError("usage", fault.what()));
+  const CLI::App* which = &app;
+  for (const CLI::App* command : chosen) {
+    if (command->parsed()) which = command;
+  }
+  console.plainError(which->help("nineline-cli"));
+  return static_cast<int>(ErrorKind::Usage);
+}
+
+}  // namespace
+
+int runCommandLine(int argc, const char* const* argv) {
+  CLI::App app("Corrects NC programs for the measured errors of the machine that runs them.", "nineline-cli");
+  Console::Options options;
+  addCommonOptions(app, options);
+  app.require_subcommand(1);
+  const std::array<Command, 5> commands{addMachinesCommand(app), addThreadCommand(app),
+                                        addSimulateCommand(app), addCompensateCommand(app),
+                                        addDemoCommand(app)};
+  for (CLI::App* command : app.get_subcommands({})) {
+    command->fallthrough();
+    command->footer("Common options: --json  --quiet  --threads N");
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& fault) {
+    Console console(options);
+    return reportParse(app, fault, console);
+  }
+  Console console(options);
+  catchInterrupts();
+  for (const Command& command : commands) {
+    if (!command.app->parsed()) continue;
+    const Result<void> done = command.run(console);
+    if (!done) return console.error(done.error());
+    return console.finish();
+  }
+  return static_cast<int>(ErrorKind::Usage);
+}
+
+}  // namespace nineline::cli
