@@ -53,6 +53,8 @@ Result<AtomicFile> AtomicFile::create(const fs::path& target) {
   std::error_code fault;
   if (fs::is_directory(target, fault))
     return badInput("file.kind", "A folder stands where the file should be written.", target.string());
+  if (fs::exists(target, fault) && !fs::is_regular_file(target, fault))  // renaming would replace a device
+    return badInput("file.kind", "This is a device, not a file; nothing is written to it.", target.string());
   const fs::path resolved = fs::is_symlink(target, fault) ? fs::weakly_canonical(target, fault) : target;
   std::string pattern = resolved.string() + ".XXXXXX";
   const int descriptor = mkstemp(pattern.data());
