@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/compensation/arc_geometry.h"
 #include "core/compensation/motion_planner.h"
 #include "core/simulation/command_path.h"
 
@@ -16,16 +17,6 @@ namespace {
 Vector2d inPlane(const Motion& motion, const AxisValues& values) {
   return {values[static_cast<std::size_t>(motion.plane[0])],
           values[static_cast<std::size_t>(motion.plane[1])]};
-}
-
-/// The point of the perpendicular bisector of a chord that lies nearest to `centre`; `centre` itself where
-/// the chord is too short to have one (a full circle).
-Vector2d ontoBisector(const Vector2d& a, const Vector2d& b, const Vector2d& centre) {
-  const Vector2d chord = b - a;
-  const double length = chord.norm();
-  if (length < 0.1 * (a - centre).norm()) return centre;
-  const Vector2d along = chord / length;
-  return centre - along * along.dot(centre - 0.5 * (a + b));
 }
 
 /// Centre of the circle that passes closest to the points, starting from a good guess (one Gauss–Newton step
@@ -71,7 +62,7 @@ Result<bool> MotionPlanner::arcFits(const Motion& motion, const Node& a, const N
   const Vector2d nominal(motion.centre[0], motion.centre[1]);
   const Vector2d guess =
       nominal + points[0] - inPlane(motion, positionAt(motion, machine_.jointCount(), a.fraction));
-  const Vector2d centre = ontoBisector(points[0], points[1], fittedCentre(points, guess));
+  const Vector2d centre = centreBetween(points[0], points[1], fittedCentre(points, guess));
   piece.arc = true;
   piece.centre = {centre.x(), centre.y()};
   piece.sweep = sweepAbout(centre, points[0], points[1], motion.sweep * part);

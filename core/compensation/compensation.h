@@ -45,6 +45,11 @@ struct CompensationReport {
 /// Receives the corrected text in order, piece by piece; an error ends the work.
 using TextSink = std::function<Result<void>(std::string_view)>;
 
+/// Sees every place that the check compares: the original command as it is, and what the corrected one makes
+/// of it (`deviation` from the original's ideal path, `line` of the original program).
+using ComparisonSink =
+    std::function<void(const simulation::PathSample& before, const simulation::PathSample& after)>;
+
 /// Writes the program whose actual tool path is the ideal one (theory.md, 1.6 and 1.8). The corrected text is
 /// read again by the interpreter and simulated apart from the solver; `before` and `after` are those figures.
 /// `corrected_text` opens what the sink received, for that check. Fails with the block's line when a
@@ -53,7 +58,8 @@ using TextSink = std::function<Result<void>(std::string_view)>;
 [[nodiscard]] Result<CompensationReport> compensateProgram(
     const ErrorModel& model, nc::TextSource& program, const ProgramSetup& setup,
     const CompensationOptions& options, const TextSink& sink,
-    const std::function<Result<std::unique_ptr<nc::TextSource>>()>& corrected_text, Progress& progress);
+    const std::function<Result<std::unique_ptr<nc::TextSource>>()>& corrected_text, Progress& progress,
+    const ComparisonSink& compared = {});
 
 /// The same from text to text.
 struct CompensatedText {
@@ -62,7 +68,8 @@ struct CompensatedText {
 };
 [[nodiscard]] Result<CompensatedText> compensateText(const ErrorModel& model, const std::string& name,
                                                      std::string_view text, const ProgramSetup& setup,
-                                                     const CompensationOptions& options, Progress& progress);
+                                                     const CompensationOptions& options, Progress& progress,
+                                                     const ComparisonSink& compared = {});
 
 /// The same from file to file: `target` appears whole or not at all.
 [[nodiscard]] Result<CompensationReport> compensateFile(

@@ -137,7 +137,7 @@ bool MotionPlanner::needsTakeUp(const Motion& motion, const Senses& before) cons
   return reverses && moving > 1;
 }
 
-Result<void> MotionPlanner::plan(const Motion& motion, unsigned free, const AxisValues& from,
+Result<void> MotionPlanner::plan(const Motion& motion, unsigned free, const AxisValues& from, bool may_split,
                                  std::vector<Piece>& pieces) {
   pieces.clear();
   exceeded_ = false;
@@ -145,7 +145,7 @@ Result<void> MotionPlanner::plan(const Motion& motion, unsigned free, const Axis
   for (std::size_t k = 0; k < correction_.size(); ++k) correction_[k] = from[k] - motion.start[k];
   if (motion.tool_centre_point) correction_.fill(0.0);
   std::vector<double> cuts;
-  may_split_ = !options_.keep_block_count && motion.role == nc::MotionRole::Block;
+  may_split_ = may_split && !options_.keep_block_count && motion.role == nc::MotionRole::Block;
   if (may_split_) {
     simulation::reversalFractions(motion, cuts);
     std::erase_if(cuts, [&](double fraction) {  // only where the axis that reverses there has play

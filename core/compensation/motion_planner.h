@@ -22,14 +22,16 @@ class MotionPlanner {
   MotionPlanner(const ErrorModel& model, const ProgramSetup& setup, const CompensationOptions& options);
 
   /// Corrected pieces of a motion, in order; the last ends at fraction 1. `free`: joints whose words may be
-  /// written. `from`: where the corrected program stands before. Fails as PointSolver does, and beyond the
-  /// correction limits.
+  /// written. `from`: where the corrected program stands before. `may_split`: several pieces are possible.
+  /// Fails as PointSolver does, and beyond the correction limits.
   [[nodiscard]] Result<void> plan(const nc::Motion& motion, unsigned free, const nc::AxisValues& from,
-                                  std::vector<Piece>& pieces);
+                                  bool may_split, std::vector<Piece>& pieces);
 
   /// A motion that stays as it is (a reference return, a cycle): takes note of the senses of the joints.
   void pass(const nc::Motion& motion);
 
+  /// Of the last motion's `free` joints those that the mode lets move.
+  [[nodiscard]] nc::AxisMask freeAxes() const { return static_cast<nc::AxisMask>(free_); }
   /// Whether a block could not be brought within the tolerance (keep_block_count, or arcs below a degree).
   [[nodiscard]] bool exceeded() const { return exceeded_; }
   /// Largest correction of each joint so far, mm or rad.

@@ -59,8 +59,9 @@ double tiltBetween(const ToolPose& a, const ToolPose& b) {
 
 class Comparison {
  public:
-  Comparison(const ErrorModel& model, const ProgramSetup& setup)
+  Comparison(const ErrorModel& model, const ProgramSetup& setup, const ComparisonSink& sink)
       : model_(model),
+        sink_(sink),
         machine_(model.machine()),
         path_before_(model, setup.state, setup.start),
         path_after_(model, setup.state, setup.start),
@@ -76,7 +77,10 @@ class Comparison {
         simulation::jointsOf(machine_, corrected.end, corrected.tool_centre_point);
     if (!start) return start.error();
     if (!end) return end.error();
-    sampleFractions(model_, corrected, *start, *end, path_after_.state().approach, kChord, fractions_);
+    simulation::sampleFractions(model_, corrected, *start, *end, path_after_.state().approach, kChord,
+                                fractions_);
+    const double duration = sink_ ? simulation::durationOf(machine_, original) * (to - from) : 0.0;
+    double last = 0.0;
     for (const double u : fractions_) {
       const Result<JointPositions> q = jointsAt(corrected, u);
       const Result<JointPositions> ideal = jointsAt(original, from + u * (to - from));
@@ -90,7 +94,9 @@ class Comparison {
                                     machine_.joint(joint).axis.text()),
                         {}, original.line);
       }
-      take(original, *ideal);
+      time_ += duration * (u - last);
+      last = u;
+      take(original, *ideal, *q, from + u * (to - from) == 1.0);
     }
     return {};
   }
@@ -107,7 +113,8 @@ class Comparison {
                                 motion.tool_centre_point);
   }
 
-  void take(const Motion& original, const JointPositions& ideal_q) {
+  void take(const Motion& original, const JointPositions& ideal_q, const JointPositions& corrected_q,
+            bool block_end) {
     const ToolPose ideal = forward(machine_, ideal_q);
     const ToolPose before = path_before_.actualPose();
     const ToolPose after = path_after_.actualPose();
@@ -116,6 +123,12 @@ class Comparison {
     last_tip_ = ideal.tip;
     const Deviation deviation_before = simulation::deviationOf(machine_, ideal_q, ideal, before);
     const Deviation deviation_after = simulation::deviationOf(machine_, ideal_q, ideal, after);
+    length_ += step;
+    if (sink_) {
+      const bool rapid = original.kind == MotionKind::Rapid;
+      sink_({original.line, rapid, block_end, length_, time_, ideal_q, ideal, before, deviation_before},
+            {original.line, rapid, block_end, length_, time_, corrected_q, ideal, after, deviation_after});
+    }
     all_before_.add(deviation_before, tiltBetween(ideal, before), step);
     all_after_.add(deviation_after, tiltBetween(ideal, after), step);
     if (original.kind == MotionKind::Rapid || original.role == nc::MotionRole::Machine) return;
@@ -124,12 +137,15 @@ class Comparison {
   }
 
   const ErrorModel& model_;
+  const ComparisonSink& sink_;
   const Machine& machine_;
   PathState path_before_;
   PathState path_after_;
   std::vector<double> fractions_;
   DeviationStatistics cut_before_, cut_after_, all_before_, all_after_;
   Eigen::Vector3d last_tip_ = Eigen::Vector3d::Zero();
+  double length_ = 0.0;
+  double time_ = 0.0;
   bool first_ = true;
 };
 
@@ -146,10 +162,11 @@ Error differs(std::size_t line, const char* what) {
 
 Result<Verification> verifyCorrection(const ErrorModel& model, const ProgramSetup& setup,
                                       nc::TextSource& original, nc::TextSource& corrected,
-                                      const PieceLog& log, Progress& progress) {
+                                      const PieceLog& log, Progress& progress,
+                                      const ComparisonSink& compared) {
   MotionStream originals(model.machine(), setup, original);
   MotionStream correcteds(model.machine(), setup, corrected);
-  Comparison comparison(model, setup);
+  Comparison comparison(model, setup, compared);
   std::size_t index = 0;
   std::size_t span = 0;
   for (;;) {
@@ -167,10 +184,10 @@ Result<Verification> verifyCorrection(const ErrorModel& model, const ProgramSetu
       const bool take_up = count > 1 && part.from == part.to;
       if (!take_up && !sameMeaning(first, **piece, count == 1))
         return differs(first.line, "a motion means something else");
-      if (Result<void> compared = comparison.compare(first, **piece, static_cast<double>(part.from),
+      if (Result<void> done = comparison.compare(first, **piece, static_cast<double>(part.from),
                                                      static_cast<double>(part.to));
-          !compared) {
-        return compared.error();
+          !done) {
+        return done.error();
       }
     }
     if (index % kMotionsBetweenReports == 0) {

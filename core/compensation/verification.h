@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/compensation/compensation.h"
 #include "core/compensation/piece_log.h"
 
 namespace nineline::compensation {
@@ -14,6 +15,7 @@ struct Verification {
 /// program does not mean what the original means: another motion, feed, spindle speed or count of motions.
 [[nodiscard]] Result<Verification> verifyCorrection(const ErrorModel& model, const ProgramSetup& setup,
                                                     nc::TextSource& original, nc::TextSource& corrected,
-                                                    const PieceLog& log, Progress& progress);
+                                                    const PieceLog& log, Progress& progress,
+                                                    const ComparisonSink& compared = {});
 
 }  // namespace nineline::compensation

@@ -1,0 +1,189 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/compensation/arc_geometry.h"
+#include "core/compensation/program_corrector.h"
+
+namespace nineline::compensation {
+
+using nc::AxisMask;
+using nc::AxisValues;
+using nc::ExecutedBlock;
+using nc::Motion;
+using nc::MotionKind;
+
+namespace {
+
+/// M codes that act when the motion has ended: program stop and end, spindle and coolant off, calls.
+bool actsAtEnd(double code) {
+  static constexpr std::array<double, 9> kCodes = {0, 1, 2, 5, 9, 30, 60, 98, 99};
+  return std::find(kCodes.begin(), kCodes.end(), code) != kCodes.end();
+}
+
+struct Timing {
+  bool at_start = false;
+  bool at_end = false;
+};
+
+Timing timingOf(const nc::Block& block) {
+  Timing timing;
+  for (const nc::Word& word : block.words) {
+    if (word.letter == 'M') (actsAtEnd(word.value) ? timing.at_end : timing.at_start) = true;
+    if (word.letter == 'S' || word.letter == 'T') timing.at_start = true;
+  }
+  return timing;
+}
+
+constexpr int kFeedDecimals = 6;
+
+/// I J K belong to X Y Z and to the axes parallel to them.
+char centreAddress(char axis) {
+  switch (axis) {
+    case 'X':
+    case 'U':
+      return 'I';
+    case 'Y':
+    case 'V':
+      return 'J';
+    default:
+      return 'K';
+  }
+}
+
+bool statesMotionCode(const nc::Block& block, int code) {
+  return std::any_of(block.words.begin(), block.words.end(), [code](const nc::Word& word) {
+    return word.letter == 'G' && word.value == static_cast<double>(code);
+  });
+}
+
+}  // namespace
+
+Result<void> ProgramCorrector::correctMotion(const ExecutedBlock& executed, const Motion& motion) {
+  const nc::Block& block = *executed.block;
+  writable_ = writableAxes(executed, motion);
+  frame_ = shiftedFrame(*executed.frame);
+  const Timing timing = timingOf(block);
+  const bool several_turns = motion.kind == MotionKind::Arc && std::abs(motion.sweep) > kTurn + 1e-9;
+  const bool may_split = !(timing.at_start && timing.at_end) && !several_turns;
+  if (Result<void> planned = planner_.plan(motion, writable_, emitted_.position(), may_split, pieces_);
+      !planned)
+    return planned;
+  if (planner_.exceeded()) warnExceeded(block.line);
+  writable_ = planner_.freeAxes();
+  log_.add(pieces_);
+
+  // The block's own line carries the first real piece, or the last one where an M code must wait for the end.
+  std::size_t own = pieces_.size() - 1;
+  if (!timing.at_end) {
+    own = 0;
+    while (pieces_[own].take_up) ++own;
+  }
+  line_.clear();
+  changed_ = false;
+  own_line_follows_ = own > 0;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    if (i == own) {
+      writeOwnLine(executed, motion, pieces_[i]);
+    } else {
+      writeInsertedLine(executed, motion, pieces_[i], i < own);
+      ++report_.inserted;
+    }
+    // Only the last line of a file may lack its end.
+    line_ += block.line_end.empty() && i + 1 < pieces_.size() ? std::string_view("\n") : block.line_end;
+  }
+  if (changed_ || pieces_.size() > 1) ++report_.corrected;
+  return assembler_.put(block.line, line_);
+}
+
+int ProgramCorrector::codeOf(const ExecutedBlock& executed, const Motion& motion, const Piece& piece) const {
+  if (!piece.take_up) return executed.motion_code;
+  const bool feed_known = motion.feed > 0.0 && !executed.feed_stated;
+  if (motion.kind == MotionKind::Linear && feed_known) return executed.motion_code;
+  return feed_known ? 1 : 0;
+}
+
+void ProgramCorrector::writeOwnLine(const ExecutedBlock& executed, const Motion& motion, const Piece& piece) {
+  const nc::Block& block = *executed.block;
+  editor_.begin(block);
+  if (own_line_follows_ && active_code_ != executed.motion_code &&
+      !statesMotionCode(block, executed.motion_code)) {
+    editor_.addCode(executed.motion_code);
+  }
+  active_code_ = executed.motion_code;
+  writeAxisWords(motion, piece, executed.has_word, executed.centre_absolute, block.find('R') != nullptr);
+  if (motion.feed_mode == nc::FeedMode::InverseTime && pieces_.size() > 1) {
+    if (const nc::Word* feed = block.find('F'))
+      editor_.setWord('F', feed->value / (piece.to - piece.from), kFeedDecimals);
+  }
+  editor_.finish(line_);
+}
+
+void ProgramCorrector::writeInsertedLine(const ExecutedBlock& executed, const Motion& motion,
+                                         const Piece& piece, bool before_own) {
+  const nc::Block& block = *executed.block;
+  editor_.beginNew(block);
+  const int code = codeOf(executed, motion, piece);
+  const bool code_on_own_line = before_own && statesMotionCode(block, executed.motion_code);
+  if (active_code_ != code || code_on_own_line) editor_.addCode(code);
+  active_code_ = code;
+  writeAxisWords(motion, piece, piece.take_up ? AxisMask{0} : executed.has_word, executed.centre_absolute,
+                 false);
+  const nc::Word* feed = block.find('F');
+  const bool inverse = motion.feed_mode == nc::FeedMode::InverseTime;
+  if (feed != nullptr && (inverse || (before_own && !piece.take_up))) {
+    const double share = inverse && !piece.take_up ? piece.to - piece.from : 1.0;
+    editor_.setWord('F', feed->value / share, kFeedDecimals);
+  }
+  editor_.finish(line_);
+}
+
+void ProgramCorrector::writeAxisWords(const Motion& motion, const Piece& piece, AxisMask named,
+                                      bool centre_absolute, bool by_radius) {
+  const AxisValues from = emitted_.position();
+  emitted_.moveTo(frame_, piece.end, named, writable_, decimals_, words_);
+  for (const EmittedPosition::Word& word : words_) {
+    const auto k = static_cast<std::size_t>(word.axis);
+    changed_ = editor_.setAxis(layout_.axes[k].id, word.value, decimals_[k]) || changed_;
+  }
+  if (piece.arc) writeCentre(motion, piece, from, centre_absolute, by_radius);
+}
+
+/// The centre lies as far from the rounded start as from the rounded end; R stays R where it states the
+/// centre well.
+void ProgramCorrector::writeCentre(const Motion& motion, const Piece& piece, const AxisValues& from,
+                                   bool centre_absolute, bool by_radius) {
+  const auto first = static_cast<std::size_t>(motion.plane[0]);
+  const auto second = static_cast<std::size_t>(motion.plane[1]);
+  const AxisValues& to = emitted_.position();
+  const Eigen::Vector2d a(from[first], from[second]);
+  const Eigen::Vector2d b(to[first], to[second]);
+  const Eigen::Vector2d centre = centreBetween(a, b, {piece.centre[0], piece.centre[1]});
+  const double unit = frame_.factor[first] * (layout_.axes[first].diameter ? 2.0 : 1.0);
+  const double radius = (a - centre).norm();
+  if (by_radius) {
+    if (0.5 * (b - a).norm() < 0.95 * radius) {
+      const double sign = std::abs(piece.sweep) > kPi ? -1.0 : 1.0;
+      changed_ = editor_.setWord('R', sign * radius / unit, decimals_[first]) || changed_;
+      return;
+    }
+    editor_.removeWord('R');
+  }
+  AxisValues place = to;
+  place[first] = centre.x();
+  place[second] = centre.y();
+  AxisValues offset{};
+  offset[first] = centre.x() - from[first];
+  offset[second] = centre.y() - from[second];
+  const AxisValues words =
+      centre_absolute ? frame_.wordsOf(place, layout_.count) : frame_.incrementWordsOf(offset, layout_.count);
+  for (const std::size_t k : {first, second}) {
+    const double scale = !centre_absolute && layout_.axes[k].diameter ? 0.5 : 1.0;
+    const double value = roundTo(words[k] * scale, decimals_[k]);
+    changed_ = editor_.setWord(centreAddress(layout_.axes[k].id.letter), value, decimals_[k]) || changed_;
+  }
+}
+
+}  // namespace nineline::compensation
