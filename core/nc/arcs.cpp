@@ -135,6 +135,11 @@ bool executeArc(Execution& e, const WordFrame& frame) {
   beginMotion(e, motion, MotionKind::Arc, w.machine_coordinates ? MotionRole::Machine : MotionRole::Block);
   if (w.machine_coordinates)
     return failAt(e, code::kBadArc, 'G', "An arc in machine coordinates (G53) is not possible");
+  const bool turned = frame.rotation_plane[0] >= 0;
+  if (turned && (index(frame.rotation_plane[0]) != plane.u || index(frame.rotation_plane[1]) != plane.v)) {
+    return failAt(e, code::kBadArc, 'G',
+                  "An arc outside the plane in which the frame is turned is not possible");
+  }
   motion.end = endOfWords(e, frame);
   const bool ccw = e.modal.motion == 3;
   motion.plane = {static_cast<std::int8_t>(plane.u), static_cast<std::int8_t>(plane.v)};

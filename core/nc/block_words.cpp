@@ -132,16 +132,27 @@ void setMotion(Execution& e, CodeAction action, int tenths) {
   if (action == CodeAction::Motion || action == CodeAction::Thread) {
     e.modal.motion = tenths / 10;
     e.modal.cycle = 0;
+    e.modal.turning = 0;
   }
 }
 
 /// Turning cycles G90, G92, G94 of Fanuc lathes (code system A) stand where other controls have modal codes.
+/// G92 with a feed cuts a thread on any Fanuc lathe.
 bool isTurningCycle(const Execution& e, int tenths) {
-  return e.turning_codes && (tenths == 900 || tenths == 940 || tenths == 920);
+  if (tenths != 900 && tenths != 940 && tenths != 920) return false;
+  if (e.turning_codes) return true;
+  return tenths == 920 && e.lathe && e.dialect == Dialect::Fanuc && e.block.find('F') &&
+         (e.block.find('X') || e.block.find('Z'));
 }
 
 bool applyCode(Execution& e, const Word& word, int tenths, const CodeEntry& entry) {
-  if (isTurningCycle(e, tenths)) return claim(e, CodeAction::Cycle, tenths, word);
+  if (isTurningCycle(e, tenths)) {
+    e.modal.turning = tenths;
+    e.modal.cycle = 0;
+    e.cycle.taper = 0.0;
+    e.cycle.target = e.position;
+    return true;
+  }
   if (applySimpleModal(e, entry.action, tenths)) return true;
   switch (entry.action) {
     case CodeAction::Motion:

@@ -54,14 +54,13 @@ bool drill(Execution& e, const Drilling& d) {
     goTo(e, MotionKind::Linear, d, d.bottom);
   }
   const bool feed_out = d.code == 74 || d.code == 84 || d.code == 85 || d.code == 89;
-  const bool only_feed = d.code == 74 || d.code == 84;
   if (!feed_out) {
     goTo(e, MotionKind::Rapid, d, d.clear);
     return true;
   }
-  const double out = only_feed || e.dialect == Dialect::Fanuc ? d.r : d.clear;
-  goTo(e, MotionKind::Linear, d, out);
-  if (out != d.clear) goTo(e, MotionKind::Rapid, d, d.clear);
+  const bool to_clear = d.code == 89 && e.dialect == Dialect::LinuxCnc;
+  goTo(e, MotionKind::Linear, d, to_clear ? d.clear : d.r);
+  if (!to_clear && d.r != d.clear) goTo(e, MotionKind::Rapid, d, d.clear);
   return true;
 }
 

@@ -74,8 +74,6 @@ bool executeNonModal(Execution& e) {
       return rotateFrame(e);
     case CodeAction::LengthDynamic:
       return applyToolLength(e, CodeAction::LengthDynamic);
-    case CodeAction::Cycle:
-      return executeTurningCycle(e, e.words.non_modal_code);
     case CodeAction::MacroCall:
       return callMacro(e);
     default:
@@ -109,6 +107,7 @@ bool executeMotions(Execution& e) {
     e.executed.frame = &e.frame;
     return executeRigidTap(e, e.frame);
   }
+  if (e.modal.turning != 0) return executeTurningCycle(e, e.modal.turning);
   if (e.modal.cycle != 0) {
     if (w.axes == 0 && !w.has('R')) return true;
     return executeCycle(e);

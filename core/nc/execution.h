@@ -21,8 +21,9 @@ constexpr std::uint32_t letterBit(char letter) { return 1U << letterIndex(letter
 
 /// What stays in force from block to block.
 struct ModalState {
-  int motion = 0;  ///< 0, 1, 2, 3, 32, 33, 34; −1: cancelled (LinuxCNC's G80)
-  int cycle = 0;   ///< 73…89 while a canned cycle is active, else 0
+  int motion = 0;   ///< 0, 1, 2, 3, 32, 33, 34; −1: cancelled (LinuxCNC's G80)
+  int cycle = 0;    ///< 73…89 while a canned cycle is active, else 0
+  int turning = 0;  ///< tenths of G90, G92, G94 while one of them is the turning cycle in force, else 0
   int plane = 17;
   bool inch = false;
   bool incremental = false;
@@ -58,6 +59,8 @@ struct Offsets {
 /// Values of a canned cycle that stay until it is cancelled: mm, program coordinates as written.
 struct CycleWords {
   std::optional<double> r, depth, peck, dwell;
+  double taper = 0.0;    ///< R of a turning cycle, mm
+  AxisValues target{};   ///< end of the turning cycle before, in machine coordinates
   double initial = 0.0;  ///< machine position of the drilling axis when the cycle began
 };
 

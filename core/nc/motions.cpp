@@ -137,6 +137,9 @@ bool executeMotion(Execution& e) {
   if (e.words.axes == 0) return true;
   Motion& motion = e.single;
   const bool machine = e.words.machine_coordinates;
+  if (machine && e.modal.incremental && e.dialect == Dialect::LinuxCnc) {
+    return failAt(e, code::kBadValue, 'G', "G53 needs absolute words (G90)");
+  }
   beginMotion(e, motion, mode == 0 ? MotionKind::Rapid : MotionKind::Linear,
               machine ? MotionRole::Machine : MotionRole::Block);
   motion.end = endOfWords(e, frame);

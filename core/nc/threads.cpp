@@ -70,9 +70,14 @@ bool executeTurningCycle(Execution& e, int tenths) {
   if (e.words.axes == 0) return true;
   WordFrame frame = e.frame;
   frame.incremental = static_cast<AxisMask>(frame.incremental | e.words.increments);
-  const AxisValues target = endOfWords(e, frame);
+  AxisValues target = endOfWords(e, frame);
+  for (const int axis : {x, z}) {
+    if (!contains(e.words.axes, axis)) target[index(axis)] = e.cycle.target[index(axis)];
+  }
+  e.cycle.target = target;
   const AxisValues begin = e.position;
-  const double taper = e.words.of('R', 0.0) * (e.modal.inch ? kMillimetresPerInch : 1.0);
+  if (e.words.has('R')) e.cycle.taper = e.words.of('R') * (e.modal.inch ? kMillimetresPerInch : 1.0);
+  const double taper = e.cycle.taper;
   const bool facing = tenths == 940;
   const std::size_t infeed = index(facing ? z : x);
   const std::size_t along = index(facing ? x : z);
