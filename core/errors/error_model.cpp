@@ -39,6 +39,12 @@ Result<ErrorModel> ErrorModel::make(Machine machine, std::vector<EffectPtr> effe
   return model;
 }
 
+ErrorModel ErrorModel::withRotationModel(RotationModel form) const {
+  ErrorModel model = *this;
+  model.rotation_model_ = form;
+  return model;
+}
+
 Result<void> ErrorModel::collectReferences() {
   for (const EffectPtr& effect : effects_) {
     const auto* table = dynamic_cast<const TableEffect*>(effect.get());
@@ -101,7 +107,9 @@ void ErrorModel::displacements(const MachineState& state, std::span<const double
   for (const Reference& reference : references_) {
     const Eigen::Vector3d point = referencePoint(state, reference);
     SmallMotion& motion = slotOf(out[static_cast<std::size_t>(reference.joint)], reference.slot);
-    motion.translation += point - exponential(motion.rotation) * point;
+    motion.translation += rotation_model_ == RotationModel::Exact
+                              ? Eigen::Vector3d(point - exponential(motion.rotation) * point)
+                              : Eigen::Vector3d(point.cross(motion.rotation));
   }
 }
 
@@ -136,14 +144,14 @@ void ErrorModel::slopes(const MachineState& state, const JointDisplacements& dis
 ToolPose ErrorModel::actualPose(const MachineState& state, std::span<const double> memory) const {
   JointDisplacements deviation;
   displacements(state, memory, deviation);
-  return forward(machine_, state.q, deviation);
+  return forward(machine_, state.q, deviation, rotation_model_);
 }
 
 ToolPose ErrorModel::actualPoseWithJacobian(const MachineState& state, std::span<const double> memory,
                                             kinematics::PoseJacobian& jacobian) const {
   JointDisplacements deviation;
   displacements(state, memory, deviation);
-  const ToolPose pose = forwardWithJacobian(machine_, state.q, deviation, jacobian);
+  const ToolPose pose = forwardWithJacobian(machine_, state.q, deviation, jacobian, rotation_model_);
   kinematics::DisplacementSlopes slope;
   slopes(state, deviation, slope);
   addSlopes(machine_, state.q, deviation, slope, jacobian);

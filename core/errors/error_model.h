@@ -11,6 +11,7 @@ namespace nineline::errors {
 
 using kinematics::JointDisplacements;
 using kinematics::Machine;
+using kinematics::RotationModel;
 using kinematics::ToolPose;
 
 /// The past of a model's effects along one path; see Effect. Made by ErrorModel::startMemory.
@@ -26,6 +27,10 @@ class ErrorModel {
   explicit ErrorModel(Machine machine);
 
   [[nodiscard]] const Machine& machine() const { return machine_; }
+  /// The same model with another form of its small rotations. FirstOrder reproduces the literature
+  /// (theory.md, 1.3); everything else uses Exact, the default.
+  [[nodiscard]] ErrorModel withRotationModel(RotationModel form) const;
+  [[nodiscard]] RotationModel rotationModel() const { return rotation_model_; }
   [[nodiscard]] const std::vector<EffectPtr>& effects() const { return effects_; }
 
   /// Displacement of every joint at a state; `memory` empty for a single instant.
@@ -74,6 +79,7 @@ class ErrorModel {
   std::vector<EffectPtr> others_;  // effects that are no tables, in order
   std::vector<Reference> references_;
   std::size_t memory_size_ = 0;
+  RotationModel rotation_model_ = RotationModel::Exact;
   JointPositions feature_lengths_{};
   JointPositions plays_{};
 };
