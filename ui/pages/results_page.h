@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ui/pages/page.h"
+
+class QComboBox;
+class QLabel;
+class QStackedWidget;
+
+namespace nineline::models {
+class SummaryModel;
+}
+namespace nineline::pages {
+
+class ErrorCurves;
+class PathPanel;
+
+/// The path before and after in 3D, the error of each axis as curves, and the figures.
+class ResultsPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit ResultsPage(Context context, QWidget* parent = nullptr);
+
+ private:
+  QWidget* makeFigures();
+  void refresh();
+  void refreshNote();
+  void saveTable();
+
+  PathPanel* path_;
+  ErrorCurves* curves_;
+  models::SummaryModel* summary_;
+  QLabel* note_;
+};
+
+}  // namespace nineline::pages
