@@ -172,9 +172,9 @@ bool executeStatement(Execution& e) {
 }
 
 bool executeBlock(Execution& e) {
+  e.gather_keywords = false;
   if (!readPlainWords(e.block, e.dialect)) {
     const bool entered = e.entered_branch;
-    e.gather_keywords = false;
     if (!executeStatement(e)) return false;
     if (entered) e.entered_branch = false;
   }
@@ -285,11 +285,9 @@ void setUpAxes(Execution& e) {
   const bool letters_free = e.axis_of_letter[letterIndex('U')] < 0 && e.axis_of_letter[letterIndex('W')] < 0;
   e.turning_codes = e.dialect == Dialect::Fanuc && e.lathe && has_x && letters_free &&
                     (e.signs.incremental_letters || e.signs.return_codes) && !e.signs.distance_codes;
-  if (e.dialect == Dialect::Fanuc && letters_free) {
+  if (e.dialect == Dialect::Fanuc && e.lathe && letters_free) {
     e.increment_of_letter[letterIndex('U')] = e.axis_of_letter[letterIndex('X')];
     e.increment_of_letter[letterIndex('W')] = e.axis_of_letter[letterIndex('Z')];
-    if (e.axis_of_letter[letterIndex('V')] < 0)
-      e.increment_of_letter[letterIndex('V')] = e.axis_of_letter[letterIndex('Y')];
   }
   if (e.lathe && has_x && e.axis_of_letter[letterIndex('Z')] >= 0) e.modal.plane = 18;
   e.position = e.options.start;

@@ -154,8 +154,10 @@ void readLetterWord(LineReader& r) {
     return;
   }
   const char next = r.at.peek();
-  const bool starts_value = next == '[' || next == '#' || next == '-' || next == '+' ||
-                            (r.dialect == Dialect::LinuxCnc && isLetter(next));
+  const bool sign = next == '-' || next == '+';
+  const char first = sign ? r.at.peek(1) : next;
+  const bool starts_value =
+      first == '[' || first == '#' || (r.dialect == Dialect::LinuxCnc && isLetter(first));
   if (!starts_value) {
     return r.fail(code::kBadNumber,
                   fmt::format("{} needs a number, found '{}'", word.letter, printable(r.at.rest(), 16)));

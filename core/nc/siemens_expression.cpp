@@ -173,6 +173,14 @@ class Evaluation {
   }
 
   double valueOf(const Variable& variable, const Cursor& begin) {
+    // Assignments of the same block act from left to right.
+    for (auto one = r_.out.assignments.rbegin(); one != r_.out.assignments.rend(); ++one) {
+      if (one->variable.number == variable.number && one->variable.name == variable.name)
+        return one->value.number;
+    }
+    for (const Assignment& one : r_.out.definitions) {
+      if (!variable.name.empty() && one.variable.name == variable.name) return one.value.number;
+    }
     std::string why;
     const std::optional<Value> value = r_.parameters.get(variable, why);
     if (!value) r_.fault.set(code::kNotConstant, begin.column(), why);

@@ -72,7 +72,8 @@ class CanonicalReader {
   void add(const std::array<double, 6>& program, CanonicalMove move) {
     program_ = program;
     move.end = machine(program);
-    move.unit = unit_;
+    coarsest_ = std::fmax(coarsest_, unit_);  // offsets were rounded when they were printed
+    move.unit = coarsest_;
     move.locked = locked_;
     moves.push_back(move);
   }
@@ -113,6 +114,7 @@ class CanonicalReader {
 
   bool locked_ = false;
   double unit_ = 1.0;
+  double coarsest_ = 1.0;
   double rotation_ = 0.0;
   int plane_ = 17;
   std::array<double, 6> g5x_{}, g92_{}, tool_{}, program_{};

@@ -11,7 +11,7 @@ namespace nineline::nc::testing {
 /// One motion in machine coordinates: mm and degrees.
 struct CanonicalMove {
   bool rapid = false;
-  bool locked = false;  ///< between DISABLE_FEED_OVERRIDE and ENABLE_FEED_OVERRIDE
+  bool locked = false;          ///< between DISABLE_FEED_OVERRIDE and ENABLE_FEED_OVERRIDE
   std::array<double, 6> end{};  ///< X Y Z A B C
   double sweep_turns = 0.0;     ///< signed whole turns as LinuxCNC counts them; 0: straight
   std::array<double, 2> centre{};

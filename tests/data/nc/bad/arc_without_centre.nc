@@ -1,0 +1,3 @@
+(expect MissingWord 3:1)
+G01 X0 Y0 F100
+G02 X10. Y0

@@ -1,0 +1,2 @@
+(expect NoSuchAxis 2:8)
+G00 X0 B90.

@@ -1,0 +1,2 @@
+(expect RepeatedWord 2:9)
+G01 X1. X2.

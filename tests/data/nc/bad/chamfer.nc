@@ -1,0 +1,2 @@
+(expect UnknownCode 2:9)
+G01 X10.,C2.

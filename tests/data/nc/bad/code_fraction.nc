@@ -1,0 +1,2 @@
+(expect BadValue 2:1)
+G1.55 X1

@@ -1,0 +1,2 @@
+(expect UnknownCode 2:1)
+G07.1 C20.

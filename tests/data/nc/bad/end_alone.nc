@@ -1,0 +1,2 @@
+(expect BadFlow 2:1)
+END1

@@ -1,0 +1,2 @@
+(expect Endless 2:1)
+N10 GOTO 10

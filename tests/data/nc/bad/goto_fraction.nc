@@ -1,0 +1,2 @@
+(expect BadValue 2:6)
+GOTO 1.5

@@ -1,0 +1,2 @@
+(expect NoSuchLabel 2:1)
+GOTO 77

@@ -1,0 +1,2 @@
+(expect BadExpression 2:8)
+#1=[1+2

@@ -1,0 +1,2 @@
+(expect NoSuchLabel 2:1)
+G65 P9010 A1.

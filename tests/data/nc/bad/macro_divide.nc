@@ -1,0 +1,2 @@
+(expect BadExpression 2:7)
+#1=[1 / 0]

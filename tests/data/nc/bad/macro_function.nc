@@ -1,0 +1,2 @@
+(expect BadExpression 2:4)
+#1=FOO[3]

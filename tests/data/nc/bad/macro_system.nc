@@ -1,0 +1,2 @@
+(expect NotConstant 2:1)
+#3000=1 (TOOL MISSING)

@@ -1,0 +1,2 @@
+(expect NotConstant 2:6)
+G00 X#500

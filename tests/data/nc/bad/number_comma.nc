@@ -1,0 +1,2 @@
+(expect UnknownCode 2:7)
+G01 X1,5

@@ -1,0 +1,2 @@
+(expect BadWord 2:8)
+G01 X1..5

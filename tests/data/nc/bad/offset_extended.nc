@@ -1,0 +1,2 @@
+(expect BadValue 2:7)
+G54.1 P900

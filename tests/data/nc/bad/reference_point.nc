@@ -1,0 +1,2 @@
+(expect BadValue 2:5)
+G30 P9 Z0

@@ -1,0 +1,3 @@
+;(expect Stopped 3:1)
+DEF REAL A
+SETAL(65000)

@@ -1,0 +1,3 @@
+;(expect UnknownCode 3:1)
+DEF REAL A
+AROT Z45

@@ -1,0 +1,3 @@
+;(expect NoSuchLabel 3:7)
+DEF REAL A
+GOTOF NOWHERE

@@ -1,0 +1,3 @@
+;(expect BadWord 3:11)
+DEF REAL A
+T="no end)

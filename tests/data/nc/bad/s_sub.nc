@@ -1,0 +1,3 @@
+;(expect NoSuchLabel 3:1)
+DEF REAL A
+L100 P2

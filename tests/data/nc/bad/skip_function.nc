@@ -1,0 +1,2 @@
+(expect UnknownCode 2:1)
+G31 Z-10. F50

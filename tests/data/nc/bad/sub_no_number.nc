@@ -1,0 +1,2 @@
+(expect MissingWord 2:1)
+M98

@@ -1,0 +1,2 @@
+(expect BadWord 2:1)
+{BEGIN}

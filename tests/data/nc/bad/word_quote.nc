@@ -1,0 +1,2 @@
+(expect BadWord 2:5)
+G01 "X1"
