@@ -36,6 +36,14 @@ Vector2d fittedCentre(const std::vector<Vector2d>& points, const Vector2d& guess
   return guess + solution.head<2>();
 }
 
+constexpr double kAlmostTurn = kTurn - 0.2;  // rad: from here on the way to the end decides how far it goes
+constexpr double kShortArc = 0.05;           // mm
+
+void setInPlane(const Motion& motion, const Vector2d& point, AxisValues& values) {
+  values[static_cast<std::size_t>(motion.plane[0])] = point.x();
+  values[static_cast<std::size_t>(motion.plane[1])] = point.y();
+}
+
 double sweepAbout(const Vector2d& centre, const Vector2d& a, const Vector2d& b, double like) {
   const Vector2d from = a - centre;
   const Vector2d to = b - centre;
@@ -50,6 +58,17 @@ Result<bool> MotionPlanner::arcFits(const Motion& motion, const Node& a, const N
   const int inner = std::max(innerSamples(motion, a, b),
                              2 + static_cast<int>(std::abs(motion.sweep) * part / (0.25 * kPi)));
   const AxisValues from = simulation::valuesOf(machine_, a.corrected, motion.tool_centre_point);
+  // A whole turn must end where it starts, and an arc of a few increments must not turn about: these keep the
+  // way from start to end that the program states. The start may be off by its rounding.
+  const Vector2d ideal_start = inPlane(motion, positionAt(motion, machine_.jointCount(), a.fraction));
+  const Vector2d ideal_end = inPlane(motion, positionAt(motion, machine_.jointCount(), b.fraction));
+  const Vector2d way = ideal_end - ideal_start;
+  const double bend = (inPlane(motion, piece.end) - inPlane(motion, from) - way).norm();
+  const double turn = std::abs(motion.sweep) * part;
+  const double arc_length = turn * (ideal_start - Vector2d(motion.centre[0], motion.centre[1])).norm();
+  if (turn > kAlmostTurn && bend > options_.tolerance && may_split_) return false;
+  if (turn > kAlmostTurn || (arc_length < kShortArc && bend > 0.25 * way.norm()))
+    setInPlane(motion, inPlane(motion, from) + way, piece.end);
   std::vector<Node> nodes;
   std::vector<Vector2d> points = {inPlane(motion, from), inPlane(motion, piece.end)};
   for (int i = 1; i <= inner; ++i) {

@@ -59,6 +59,13 @@ bool statesMotionCode(const nc::Block& block, int code) {
   });
 }
 
+/// G90, G54, G43 and the like take effect on the block's own line, so that no line of it may stand before.
+bool setsModes(const nc::Block& block, int motion_code) {
+  return std::any_of(block.words.begin(), block.words.end(), [motion_code](const nc::Word& word) {
+    return word.letter == 'G' && word.value != static_cast<double>(motion_code);
+  });
+}
+
 }  // namespace
 
 Result<void> ProgramCorrector::correctMotion(const ExecutedBlock& executed, const Motion& motion) {
@@ -67,11 +74,14 @@ Result<void> ProgramCorrector::correctMotion(const ExecutedBlock& executed, cons
   frame_ = shiftedFrame(*executed.frame);
   const Timing timing = timingOf(block);
   const bool several_turns = motion.kind == MotionKind::Arc && std::abs(motion.sweep) > kTurn + 1e-9;
-  const bool may_split = !(timing.at_start && timing.at_end) && !several_turns;
+  const bool own_first = setsModes(block, executed.motion_code);
+  const bool may_split = !((timing.at_start || own_first) && timing.at_end) && !several_turns;
   if (Result<void> planned = planner_.plan(motion, writable_, emitted_.position(), may_split, pieces_);
       !planned)
     return planned;
-  if (planner_.exceeded()) warnExceeded(block.line);
+  const bool drops_take_up = own_first && motion.kind == MotionKind::Arc && pieces_.front().take_up;
+  if (drops_take_up) pieces_.erase(pieces_.begin());
+  if (planner_.exceeded() || drops_take_up) warnExceeded(block.line);
   writable_ = planner_.freeAxes();
   log_.add(pieces_);
 
@@ -79,7 +89,7 @@ Result<void> ProgramCorrector::correctMotion(const ExecutedBlock& executed, cons
   std::size_t own = pieces_.size() - 1;
   if (!timing.at_end) {
     own = 0;
-    while (pieces_[own].take_up) ++own;
+    while (pieces_[own].take_up && !own_first) ++own;
   }
   line_.clear();
   changed_ = false;
@@ -115,7 +125,8 @@ void ProgramCorrector::writeOwnLine(const ExecutedBlock& executed, const Motion&
   active_code_ = executed.motion_code;
   writeAxisWords(motion, piece, executed.has_word, executed.centre_absolute, block.find('R') != nullptr);
   if (motion.feed_mode == nc::FeedMode::InverseTime && pieces_.size() > 1) {
-    if (const nc::Word* feed = block.find('F'))
+    const nc::Word* feed = block.find('F');
+    if (feed != nullptr && !piece.take_up)
       editor_.setWord('F', feed->value / (piece.to - piece.from), kFeedDecimals);
   }
   editor_.finish(line_);

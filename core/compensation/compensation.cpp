@@ -1,8 +1,12 @@
 #include "core/compensation/compensation.h"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <chrono>
 
 #include "core/base/file.h"
+#include "core/base/units.h"
 #include "core/compensation/program_corrector.h"
 #include "core/compensation/verification.h"
 
@@ -26,6 +30,44 @@ Result<void> checkOptions(const ErrorModel& model, const CompensationOptions& op
                       "The thread mode needs a machine whose workpiece turns on a rotary axis.");
   }
   return {};
+}
+
+/// The last gate: a corrected program may not leave the ideal path further than the errors and a correction.
+Result<void> checkOutcome(const CompensationReport& report, const CompensationOptions& options,
+                          const std::string& name) {
+  const double largest = report.before.norm.max + options.largest_correction;
+  if (report.after.norm.max <= largest) return {};
+  return noAnswer(
+      "compensation.check",
+      fmt::format("The check of the corrected program failed: it leaves the ideal path by {:.6g} mm. "
+                  "Nothing was written.",
+                  report.after.norm.max),
+      name);
+}
+
+/// Says in which directions a deviation remains that no joint can remove.
+void warnRemains(CompensationReport& report, const CompensationOptions& options) {
+  constexpr double kMostLeft = 0.5;  // of the deviation before
+  const auto remains = [](const simulation::Figures& before, const simulation::Figures& after, double least) {
+    return after.rms > least && after.rms > kMostLeft * before.rms;
+  };
+  const std::array<const simulation::Figures*, 3> before = {&report.before.x, &report.before.y,
+                                                            &report.before.z};
+  const std::array<const simulation::Figures*, 3> after = {&report.after.x, &report.after.y, &report.after.z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!remains(*before[k], *after[k], 0.5 * options.tolerance)) continue;
+    report.diagnostics.warning(
+        "compensation.remains",
+        fmt::format("A deviation of {:.3f} um (RMS) remains along {}: no axis that may move corrects it.",
+                    umFromMm(after[k]->rms), "xyz"[k]));
+  }
+  if (remains(report.before.axis_tilt, report.after.axis_tilt, 0.5 * options.angle_tolerance)) {
+    report.diagnostics.warning(
+        "compensation.remains",
+        fmt::format("The tool axis stays tilted by {:.2f} arcsec (RMS): no axis that may "
+                    "move corrects it.",
+                    arcsecFromRad(report.after.axis_tilt.rms)));
+  }
 }
 
 }  // namespace
@@ -54,6 +96,8 @@ Result<CompensationReport> compensateProgram(
   }
   report.before = std::move(check->before);
   report.after = std::move(check->after);
+  if (Result<void> fine = checkOutcome(report, options, program.name()); !fine) return fine.error();
+  warnRemains(report, options);
   return report;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/units.h"
 #include "core/simulation/simulation.h"
 
 namespace nineline::compensation {
@@ -19,12 +20,12 @@ enum class Mode {
 };
 
 struct CompensationOptions {
-  double tolerance = 1e-3;            ///< mm: largest deviation along a block before it is subdivided
-  double angle_tolerance = 1.745e-5;  ///< rad: the same for the tool axis
-  double largest_correction = 1.0;    ///< mm; beyond it compensation stops with the block's number
-  double largest_angle_correction = 0.017453292519943295;  ///< rad
-  bool keep_block_count = false;                           ///< never insert lines
-  bool correct_rapids = true;  ///< ends of G00 motions; off: they stay as programmed
+  double tolerance = 2e-4;  ///< mm: largest deviation along a block before it is subdivided
+  double angle_tolerance = radFromArcsec(0.2);  ///< rad: the same for the tool axis
+  double largest_correction = 1.0;              ///< mm; beyond it compensation stops with the block's number
+  double largest_angle_correction = radFromDeg(1.0);  ///< rad
+  bool keep_block_count = false;                      ///< never insert lines
+  bool correct_rapids = true;                         ///< ends of G00 motions; off: they stay as programmed
   Mode mode = Mode::Auto;
   std::optional<int> linear_decimals;  ///< digits after the point; absent: as in the program
   std::optional<int> rotary_decimals;

@@ -172,9 +172,11 @@ Result<void> MotionPlanner::planSection(const Motion& motion, double from, doubl
   const Senses before = senses_;
   updateSenses(motion, from, from + 0.5 * (to - from));
   const bool rapid = motion.kind == MotionKind::Rapid;
+  const bool takes_up = needsTakeUp(motion, before);
+  if (takes_up && !may_split_ && !rapid) exceeded_ = true;
   Node start;
   start.fraction = from;
-  if (first && !needsTakeUp(motion, before)) {
+  if (first && !(takes_up && may_split_)) {
     // The corrected program stands where its last block put it, rounding included.
     const Result<JointPositions> ideal = jointsOf(machine_, motion.start, motion.tool_centre_point);
     const Result<JointPositions> corrected = jointsOf(machine_, at, motion.tool_centre_point);
@@ -186,7 +188,7 @@ Result<void> MotionPlanner::planSection(const Motion& motion, double from, doubl
     const Result<Node> solved = solveAt(motion, from);
     if (!solved) return solved.error();
     start = *solved;
-    if (needsTakeUp(motion, before) && may_split_ && !rapid) {
+    if (takes_up && may_split_ && !rapid) {
       Piece take_up;
       take_up.end = valuesOf(machine_, start.corrected, motion.tool_centre_point);
       take_up.from = take_up.to = from;

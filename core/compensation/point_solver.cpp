@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <cmath>
 
 #include "core/simulation/joint_errors.h"
@@ -17,8 +16,9 @@ using kinematics::PoseTarget;
 namespace {
 
 constexpr int kMostIterations = 12;
-constexpr double kSmallStep = 1e-10;  // mm
-constexpr double kSmallTurn = 1e-13;  // rad
+constexpr int kExactFrom = 5;
+constexpr double kSmallStep = 1e-8;   // mm
+constexpr double kSmallTurn = 1e-10;  // rad
 constexpr double kLargestStep = 5.0;  // mm, theory.md 1.6
 constexpr double kLargestTurn = 0.1;  // rad
 
@@ -69,7 +69,7 @@ JointPositions PointSolver::threadStep(const PoseJacobian& jacobian, const PoseR
                                        const PoseTarget& target, const Request& request) const {
   const Machine& machine = model_.machine();
   // The work spindle's axis passes through the origin of W; only the radius and the lead of the groove count
-  // (theory.md, 1.7, eq. 6, first order: Newton's method brings the rest).
+  // (theory.md, 1.7, eq. 6).
   const Eigen::Vector3d axis = machine.joint(machine.workpieceJointCount() - 1).direction;
   const Eigen::Vector3d across = target.tip - axis * axis.dot(target.tip);
   const double radius = across.norm();
@@ -79,26 +79,22 @@ JointPositions PointSolver::threadStep(const PoseJacobian& jacobian, const PoseR
   rows.row(1) =
       (axis - (request.advance && radius > 0.0 ? *request.advance / radius : 0.0) * axis.cross(radial))
           .transpose();
-  using Small = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, kMaxAxes>;
-  Small A(2, machine.jointCount());
+  // The shortest motion of the free joints that removes both: Aᵀ (A Aᵀ)⁻¹ b.
+  Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, kMaxAxes> A(2, machine.jointCount());
   for (int i = 0; i < machine.jointCount(); ++i) {
     const bool free = (request.free >> static_cast<unsigned>(i) & 1U) != 0;
     A.col(i) = free ? Eigen::Vector2d(rows * jacobian.col(i).head<3>()) : Eigen::Vector2d::Zero();
   }
-  Eigen::JacobiSVD<Small> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  svd.setThreshold(1e-4);
-  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxAxes, 1> y = svd.solve(rows * left.head<3>());
+  const Eigen::Vector2d b = rows * left.head<3>();
+  const double n00 = A.row(0).squaredNorm();
+  const double n01 = A.row(0).dot(A.row(1));
+  const double n11 = A.row(1).squaredNorm();
+  const double determinant = n00 * n11 - n01 * n01;
+  if (!(determinant > 1e-8 * (n00 + n11) * (n00 + n11))) return {};
+  const Eigen::Vector2d y((n11 * b[0] - n01 * b[1]) / determinant, (n00 * b[1] - n01 * b[0]) / determinant);
   JointPositions result{};
-  for (int i = 0; i < machine.jointCount(); ++i) result[static_cast<std::size_t>(i)] = y[i];
+  for (int i = 0; i < machine.jointCount(); ++i) result[static_cast<std::size_t>(i)] = A.col(i).dot(y);
   return result;
-}
-
-JointPositions PointSolver::step(const PoseJacobian& jacobian, const PoseResidual& left,
-                                 const PoseTarget& target, const Request& request) const {
-  if (mode_ == Mode::Thread) return threadStep(jacobian, left, target, request);
-  kinematics::StepOptions options;
-  options.free = request.free;
-  return leastSquaresStep(model_.machine(), jacobian, left, target, options);
 }
 
 Result<JointPositions> PointSolver::solve(const Request& request, const JointPositions& guess) {
@@ -108,14 +104,22 @@ Result<JointPositions> PointSolver::solve(const Request& request, const JointPos
   PoseTarget::Rotation rotation = simulation::solvableRotation(machine, request.free);
   if (mode_ != Mode::Auto && rotation == PoseTarget::Rotation::Axis) rotation = PoseTarget::Rotation::None;
   const PoseTarget target = simulation::targetOf(wanted, rotation);
+  kinematics::StepOptions step_options;
+  step_options.free = request.free;
+  std::optional<kinematics::StepSolver> solver;
+  if (mode_ != Mode::Thread) solver.emplace(machine, jacobian, target, step_options);
   JointPositions q = guess;
   PoseResidual left = PoseResidual::Zero();
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-    // The ideal Jacobian differs from the actual one by the slopes of the errors, 1e-4 or so: each step gains
-    // four digits. Should that be too slow, the exact one takes over.
+    // The ideal Jacobian differs from the actual one by the slopes of the errors, 1e-4 to 1e-2: each step
+    // gains two to four digits, and the last one leaves less than 1e-10 mm. Should that be too slow, the
+    // exact one takes over.
     left = residual(target, actualPose(q, request.approach));
-    if (iteration == 6) static_cast<void>(model_.actualPoseWithJacobian(state_, {}, jacobian));
-    const JointPositions dq = step(jacobian, left, target, request);
+    if (iteration == kExactFrom) {
+      static_cast<void>(model_.actualPoseWithJacobian(state_, {}, jacobian));
+      if (solver) solver.emplace(machine, jacobian, target, step_options);
+    }
+    const JointPositions dq = solver ? solver->step(left) : threadStep(jacobian, left, target, request);
     const StepSize size = sizeOf(machine, dq);
     if (!(size.linear <= kLargestStep) || !(size.rotary <= kLargestTurn)) {
       return noAnswer(
@@ -126,7 +130,7 @@ Result<JointPositions> PointSolver::solve(const Request& request, const JointPos
               size.linear, size.rotary));
     }
     for (std::size_t k = 0; k < q.size(); ++k) q[k] += dq[k];
-    if (size.linear <= kSmallStep && size.rotary <= kSmallTurn * 100.0) return q;
+    if (size.linear <= kSmallStep && size.rotary <= kSmallTurn) return q;
   }
   return noAnswer(
       "compensation.convergence",

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/compensation/compensation.h"
-#include "core/kinematics/inverse.h"
+#include "core/kinematics/step_solver.h"
 
 namespace nineline::compensation {
 
@@ -38,9 +38,6 @@ class PointSolver {
   [[nodiscard]] unsigned freeJoints(unsigned positioned) const;
 
  private:
-  [[nodiscard]] JointPositions step(const kinematics::PoseJacobian& jacobian,
-                                    const kinematics::PoseResidual& left,
-                                    const kinematics::PoseTarget& target, const Request& request) const;
   [[nodiscard]] JointPositions threadStep(const kinematics::PoseJacobian& jacobian,
                                           const kinematics::PoseResidual& left,
                                           const kinematics::PoseTarget& target, const Request& request) const;

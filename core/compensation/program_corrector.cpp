@@ -147,6 +147,7 @@ Result<void> ProgramCorrector::correct(const ExecutedBlock& executed) {
     }
     if (Result<void> done = correctMotion(executed, last); !done) return done;
     ideal_position_ = last.end;
+    warnOutsideTables(last);
     return {};
   }
   const bool computed =
@@ -190,6 +191,18 @@ AxisMask ProgramCorrector::writableAxes(const ExecutedBlock& executed, const Mot
         motion.line);
   }
   return free;
+}
+
+void ProgramCorrector::warnOutsideTables(const Motion& motion) {
+  if (motion.tool_centre_point) return;  // the values are no joint positions
+  covered_.q = motion.end;
+  const int effect = model_.firstUncovered(covered_);
+  if (effect < 0) return;
+  report_.diagnostics.countedWarning(
+      "table.outside",
+      fmt::format("Outside the range of {}; its end value is used.",
+                  model_.effects()[static_cast<std::size_t>(effect)]->component().text()),
+      motion.line);
 }
 
 void ProgramCorrector::warnExceeded(std::size_t line) {

@@ -61,6 +61,7 @@ class ProgramCorrector {
   void writeCentre(const nc::Motion& motion, const Piece& piece, const nc::AxisValues& from,
                    bool centre_absolute, bool by_radius);
   void warnExceeded(std::size_t line);
+  void warnOutsideTables(const nc::Motion& motion);
 
   const ErrorModel& model_;
   const kinematics::Machine& machine_;
@@ -73,6 +74,7 @@ class ProgramCorrector {
   nc::AxisValues shift_change_{};  // G92 took the corrected position, so that its offset differs by this
   nc::AxisValues ideal_position_{};
   nc::AxisMask commanded_ = 0;
+  MachineState covered_;  // to ask whether tables cover a position
   std::array<int, kMaxAxes> decimals_{};
   LineEditor editor_;
   std::vector<Piece> pieces_;

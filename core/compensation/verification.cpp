@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/simulation/command_path.h"
+#include "core/simulation/joint_errors.h"
 
 namespace nineline::compensation {
 
@@ -55,6 +56,12 @@ bool sameMeaning(const Motion& a, const Motion& b, bool whole) {
 
 double tiltBetween(const ToolPose& a, const ToolPose& b) {
   return std::atan2(a.axis.cross(b.axis).norm(), a.axis.dot(b.axis));
+}
+
+Deviation deviationOf(const ToolPose& ideal, const ToolPose& actual,
+                      const simulation::JointErrorSolver& joint_errors) {
+  return {actual.tip - ideal.tip, kinematics::logarithm(actual.R_WP * ideal.R_WP.transpose()),
+          joint_errors.errorsOf(actual)};
 }
 
 class Comparison {
@@ -115,14 +122,16 @@ class Comparison {
 
   void take(const Motion& original, const JointPositions& ideal_q, const JointPositions& corrected_q,
             bool block_end) {
-    const ToolPose ideal = forward(machine_, ideal_q);
+    kinematics::PoseJacobian jacobian;
+    const ToolPose ideal = forwardWithJacobian(machine_, ideal_q, jacobian);
+    const simulation::JointErrorSolver joint_errors(machine_, ideal_q, ideal, jacobian);
     const ToolPose before = path_before_.actualPose();
     const ToolPose after = path_after_.actualPose();
     const double step = first_ ? 0.0 : (ideal.tip - last_tip_).norm();
     first_ = false;
     last_tip_ = ideal.tip;
-    const Deviation deviation_before = simulation::deviationOf(machine_, ideal_q, ideal, before);
-    const Deviation deviation_after = simulation::deviationOf(machine_, ideal_q, ideal, after);
+    const Deviation deviation_before = deviationOf(ideal, before, joint_errors);
+    const Deviation deviation_after = deviationOf(ideal, after, joint_errors);
     length_ += step;
     if (sink_) {
       const bool rapid = original.kind == MotionKind::Rapid;
@@ -162,11 +171,10 @@ Error differs(std::size_t line, const char* what) {
 
 Result<Verification> verifyCorrection(const ErrorModel& model, const ProgramSetup& setup,
                                       nc::TextSource& original, nc::TextSource& corrected,
-                                      const PieceLog& log, Progress& progress,
-                                      const ComparisonSink& compared) {
+                                      const PieceLog& log, Progress& progress, const ComparisonSink& sink) {
   MotionStream originals(model.machine(), setup, original);
   MotionStream correcteds(model.machine(), setup, corrected);
-  Comparison comparison(model, setup, compared);
+  Comparison comparison(model, setup, sink);
   std::size_t index = 0;
   std::size_t span = 0;
   for (;;) {
@@ -185,7 +193,7 @@ Result<Verification> verifyCorrection(const ErrorModel& model, const ProgramSetu
       if (!take_up && !sameMeaning(first, **piece, count == 1))
         return differs(first.line, "a motion means something else");
       if (Result<void> done = comparison.compare(first, **piece, static_cast<double>(part.from),
-                                                     static_cast<double>(part.to));
+                                                 static_cast<double>(part.to));
           !done) {
         return done.error();
       }

@@ -16,6 +16,6 @@ struct Verification {
 [[nodiscard]] Result<Verification> verifyCorrection(const ErrorModel& model, const ProgramSetup& setup,
                                                     nc::TextSource& original, nc::TextSource& corrected,
                                                     const PieceLog& log, Progress& progress,
-                                                    const ComparisonSink& compared = {});
+                                                    const ComparisonSink& sink = {});
 
 }  // namespace nineline::compensation

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -11,9 +10,6 @@
 namespace nineline::kinematics {
 
 namespace {
-
-using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxAxes, kMaxAxes>;
-using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxAxes, 1>;
 
 constexpr double kLargestTurn = 0.3;  // rad per step, theory.md 4.3
 constexpr double kWeakest = 1e-11;    // weak directions are walked: the cap keeps their steps tame (4.6)
@@ -124,39 +120,6 @@ PoseResidual residual(const PoseTarget& target, const ToolPose& pose) {
   if (target.rotation == PoseTarget::Rotation::Full)
     r.tail<3>() = logarithm(target.R_WP * pose.R_WP.transpose());
   return r;
-}
-
-JointPositions leastSquaresStep(const Machine& machine, const PoseJacobian& jacobian, const PoseResidual& r,
-                                const PoseTarget& target, const StepOptions& options) {
-  const Eigen::Index rows = target.rotation == PoseTarget::Rotation::None ? 3 : 6;
-  std::array<int, kMaxAxes> joints{};
-  Eigen::Index count = 0;
-  SmallMatrix A(rows, machine.jointCount());
-  for (int i = 0; i < machine.jointCount(); ++i) {
-    if ((options.free >> static_cast<unsigned>(i) & 1U) == 0) continue;
-    const double scale = machine.isRotary(i) ? 1.0 / options.rotary_length : 1.0;
-    A.col(count) = scale * jacobian.col(i).head(rows);
-    joints[static_cast<std::size_t>(count++)] = i;
-  }
-  JointPositions step{};
-  if (count == 0) return step;
-  A.conservativeResize(rows, count);
-  SmallVector b = r.head(rows);
-  if (rows == 6) {
-    if (target.rotation == PoseTarget::Rotation::Axis) {
-      A.bottomRows(3) -= (target.axis * (target.axis.transpose() * A.bottomRows(3))).eval();
-    }
-    A.bottomRows(3) *= options.rotation_length;
-    b.tail(3) *= options.rotation_length;
-  }
-  Eigen::JacobiSVD<SmallMatrix> svd(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(options.weakest);
-  const SmallVector y = svd.solve(b);
-  for (Eigen::Index c = 0; c < count; ++c) {
-    const int i = joints[static_cast<std::size_t>(c)];
-    step[static_cast<std::size_t>(i)] = y[c] * (machine.isRotary(i) ? 1.0 / options.rotary_length : 1.0);
-  }
-  return step;
 }
 
 Result<JointPositions> inverse(const Machine& machine, const PoseTarget& target, const JointPositions& start,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/kinematics/inverse.h"
+#include "core/kinematics/step_solver.h"
 
 namespace nineline::simulation {
 
@@ -12,5 +12,23 @@ namespace nineline::simulation {
 /// A target that asks for as much of `pose` as `rotation` says.
 [[nodiscard]] kinematics::PoseTarget targetOf(const kinematics::ToolPose& pose,
                                               kinematics::PoseTarget::Rotation rotation);
+
+/// Errors of the joints for several poses about one command: the Jacobian is decomposed once
+/// (theory.md, 1.5).
+class JointErrorSolver {
+ public:
+  /// `ideal`: the ideal pose at q, with its Jacobian.
+  JointErrorSolver(const kinematics::Machine& machine, const kinematics::JointPositions& q,
+                   const kinematics::ToolPose& ideal, const kinematics::PoseJacobian& jacobian);
+  /// Joint motion that the ideal machine would need to stand at `actual` instead of at q.
+  [[nodiscard]] kinematics::JointPositions errorsOf(const kinematics::ToolPose& actual) const;
+
+ private:
+  const kinematics::Machine& machine_;
+  const kinematics::JointPositions& q_;
+  const kinematics::ToolPose& ideal_;
+  kinematics::PoseTarget::Rotation rotation_;
+  kinematics::StepSolver solver_;
+};
 
 }  // namespace nineline::simulation

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/kinematics/inverse.h"
+
+namespace nineline::kinematics {
+
+/// `leastSquaresStep` for several residuals of one Jacobian: the matrix is inverted once. Three joints that
+/// hold the tip, and five that hold tip and tool axis, are inverted directly while the pose is far from
+/// singular; every other case through its singular values.
+class StepSolver {
+ public:
+  StepSolver(const Machine& machine, const PoseJacobian& jacobian, const PoseTarget& target,
+             const StepOptions& options);
+  [[nodiscard]] JointPositions step(const PoseResidual& residual) const;
+
+ private:
+  int count_ = 0;                       // joints that move
+  std::array<int, kMaxAxes> joints_{};  // their indices
+  Eigen::Matrix<double, Eigen::Dynamic, 6, 0, kMaxAxes, 6>
+      inverse_;  // joint steps for a unit of each residual row
+};
+
+}  // namespace nineline::kinematics
