@@ -19,8 +19,9 @@ namespace fs = std::filesystem;
 constexpr int kPrograms = 60;
 constexpr int kSteps = 60;
 
-/// Writes programs that LinuxCNC accepts: arcs are stated by increments, so that they fit wherever the tool
-/// stands.
+/// Two things are left out because LinuxCNC 2.9 then loses the present position: a change of units while a
+/// tool offset acts, and a change of the rotation while G92 acts. Writes programs that LinuxCNC accepts: arcs
+/// are stated by increments, so that they fit wherever the tool stands.
 class ProgramMaker {
  public:
   explicit ProgramMaker(unsigned seed) : random_(seed), rotates_(seed % 2 == 1) {}
@@ -126,7 +127,7 @@ class ProgramMaker {
                              number(-9, 9), number(-9, 9));
         break;
       case 4:
-        text_ += fmt::format("G10 L2 P{} R{:.1f}\n", whole(1, 3), rotates_ ? number(-90, 90) : 0.0);
+        text_ += fmt::format("G92.1\nG10 L2 P{} R{:.1f}\n", whole(1, 3), rotates_ ? number(-90, 90) : 0.0);
         break;
       case 5:
         text_ += fmt::format("G10 L20 P{} X{:.3f} Y{:.3f} A{:.3f}\n", whole(1, 6), number(-9, 9),
