@@ -1,5 +1,7 @@
 #include "app/cli/command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <array>
 
@@ -7,6 +9,7 @@
 #include "app/cli/console.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/option_values.h"
+#include "core/base/text.h"
 
 namespace nineline::cli {
 
@@ -19,16 +22,29 @@ void addCommonOptions(CLI::App& app, Console::Options& options) {
   app.set_version_flag("--version", "nineline-cli " NINELINE_VERSION);
 }
 
-/// What was asked for is shown (--help), what was wrong is said with the usage of the command in question.
-int reportParse(const CLI::App& app, const CLI::ParseError& fault, Console& console) {
-  const std::vector<const CLI::App*> chosen = app.get_subcommands([](const CLI::App*) { return true; });
-  if (fault.get_exit_code() == 0) return app.exit(fault);
-  console.error(usageError("usage", fault.what()));
-  const CLI::App* which = &app;
-  for (const CLI::App* command : chosen) {
-    if (command->parsed()) which = command;
+/// The command that was being parsed; the program itself before any.
+const CLI::App& chosenCommand(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->parsed()) return *command;
   }
-  console.plainError(which->help("nineline-cli"));
+  return app;
+}
+
+/// What was asked for is shown (--help), what was wrong is said with the usage of the command in question. A
+/// word that nobody knows is named before what is missing without it.
+int reportParse(const CLI::App& app, const CLI::ParseError& fault, Console& console) {
+  if (fault.get_exit_code() == 0) return app.exit(fault);
+  const CLI::App& which = chosenCommand(app);
+  const std::vector<std::string> unknown = app.remaining(true);
+  const bool is_missing = fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
+  if (is_missing && !unknown.empty()) {
+    const char* what = &which == &app ? "command" : "argument";
+    console.error(usageError(
+        "usage", fmt::format("'{}' is no {} that is known here.", printable(unknown.front()), what)));
+  } else {
+    console.error(usageError("usage", fault.what()));
+  }
+  console.plainError(which.help(&which == &app ? "" : "nineline-cli"));
   return static_cast<int>(ErrorKind::Usage);
 }
 

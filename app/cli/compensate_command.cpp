@@ -75,6 +75,7 @@ Result<void> runCompensate(const CompensateOptions& options, Console& console) {
   const Result<compensation::CompensationReport> report =
       correctProgram(*model, options.program, *setup, verbOptions(options), *files, console);
   if (!report) return report.error();
+  if (report->diagnostics.hasErrors()) return console.refusal(report->diagnostics, options.program);
   if (console.isCancelled()) return cancelled();
   if (Result<void> committed = files->commit(); !committed) return committed;
   console.diagnostics(report->diagnostics.all(), options.program);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "app/cli/interrupt.h"
@@ -41,6 +42,14 @@ void Console::diagnostics(const std::vector<Diagnostic>& findings, const std::st
     const std::string times = one.count > 1 ? fmt::format(" ({} times)", one.count) : "";
     write(stderr, fmt::format("{}: {}{}\n", severity, place.message(), times));
   }
+}
+
+Error Console::refusal(const Diagnostics& findings, const std::string& source) {
+  std::vector<Diagnostic> others = findings.all();
+  others.erase(std::find_if(others.begin(), others.end(),
+                            [](const Diagnostic& one) { return one.severity == Severity::Error; }));
+  diagnostics(others, source);
+  return findings.firstError(source);
 }
 
 int Console::error(const Error& error) {

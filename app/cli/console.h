@@ -32,6 +32,9 @@ class Console final : public Progress {
   void print(std::string_view text);
   /// One line for each finding: "warning: file:line:column: text".
   void diagnostics(const std::vector<Diagnostic>& findings, const std::string& source);
+  /// Says all findings but the first error, which comes back to be the command's own. Requires an error among
+  /// them.
+  [[nodiscard]] Error refusal(const Diagnostics& findings, const std::string& source);
   /// "error: file:line:column: text"; gives the exit status.
   int error(const Error& error);
   void plainError(std::string_view text);

@@ -6,11 +6,22 @@ namespace {
 
 constexpr std::size_t kPiece = 1U << 20;  // bytes
 
+Json warningsToJson(const Diagnostics& diagnostics) {
+  Json warnings = Json::array();
+  for (const Diagnostic& one : diagnostics.all()) {
+    Json warning = Json::object();
+    warning.set("code", one.code).set("text", one.text).set("line", one.line).set("count", one.count);
+    warnings.push(std::move(warning));
+  }
+  return warnings;
+}
+
 }  // namespace
 
-Result<simulation::SimulationReport> simulateToFile(
-    const simulation::ErrorModel& model, nc::TextSource& program, const simulation::ProgramSetup& setup,
-    AtomicFile& file, Progress& progress, const std::function<void(const simulation::PathSample&)>& also) {
+Result<simulation::SimulationReport> simulateToFile(const simulation::ErrorModel& model,
+                                                    nc::TextSource& program,
+                                                    const simulation::ProgramSetup& setup, AtomicFile& file,
+                                                    Progress& progress) {
   std::string rows = simulation::pathCsvHeader(model.machine());
   Result<void> written;
   const auto pass = [&](std::size_t least) {
@@ -21,7 +32,6 @@ Result<simulation::SimulationReport> simulateToFile(
   };
   const auto take = [&](const simulation::PathSample& sample) {
     simulation::appendPathCsvRow(model.machine(), sample, rows);
-    if (also) also(sample);
     return pass(kPiece) && !progress.isCancelled();
   };
   Result<simulation::SimulationReport> report =
@@ -40,16 +50,6 @@ Json simulationToJson(const simulation::SimulationReport& report, const kinemati
   json.set("path_length_mm", report.path_length).set("time_s", report.time);
   json.set("deviation", simulation::summaryToJson(report.deviation, machine));
   return json.set("warnings", warningsToJson(report.diagnostics));
-}
-
-Json warningsToJson(const Diagnostics& diagnostics) {
-  Json warnings = Json::array();
-  for (const Diagnostic& one : diagnostics.all()) {
-    Json warning = Json::object();
-    warning.set("code", one.code).set("text", one.text).set("line", one.line).set("count", one.count);
-    warnings.push(std::move(warning));
-  }
-  return warnings;
 }
 
 }  // namespace nineline::cli

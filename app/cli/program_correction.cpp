@@ -26,7 +26,8 @@ Result<compensation::CompensationReport> correctProgram(const errors::ErrorModel
                                                         const std::string& source,
                                                         const simulation::ProgramSetup& setup,
                                                         const compensation::CompensationOptions& options,
-                                                        CorrectionFiles& files, Progress& progress) {
+                                                        CorrectionFiles& files, Progress& progress,
+                                                        const compensation::ComparisonSink& compared) {
   const Result<std::unique_ptr<nc::TextSource>> program = nc::openTextFile(source);
   if (!program) return program.error();
   const auto open_corrected = [&files]() -> Result<std::unique_ptr<nc::TextSource>> {
@@ -34,8 +35,8 @@ Result<compensation::CompensationReport> correctProgram(const errors::ErrorModel
     return nc::openTextFile(files.program.temporaryPath());
   };
   const auto sink = [&files](std::string_view text) { return files.program.write(text); };
-  Result<compensation::CompensationReport> report =
-      compensation::compensateProgram(model, **program, setup, options, sink, open_corrected, progress);
+  Result<compensation::CompensationReport> report = compensation::compensateProgram(
+      model, **program, setup, options, sink, open_corrected, progress, compared);
   if (!report || !files.path) return report;
   const Result<std::unique_ptr<nc::TextSource>> corrected = open_corrected();
   if (!corrected) return corrected.error();

@@ -22,6 +22,7 @@ struct CorrectionFiles {
 /// one.
 [[nodiscard]] Result<compensation::CompensationReport> correctProgram(
     const errors::ErrorModel& model, const std::string& source, const simulation::ProgramSetup& setup,
-    const compensation::CompensationOptions& options, CorrectionFiles& files, Progress& progress);
+    const compensation::CompensationOptions& options, CorrectionFiles& files, Progress& progress,
+    const compensation::ComparisonSink& compared = {});
 
 }  // namespace nineline::cli

@@ -37,6 +37,7 @@ Result<void> runSimulate(const SimulateOptions& options, Console& console) {
   const Result<simulation::SimulationReport> report =
       simulateToFile(*model, **program, *setup, *file, console);
   if (!report) return report.error();
+  if (report->diagnostics.hasErrors()) return console.refusal(report->diagnostics, options.program);
   if (Result<void> committed = file->commit(); !committed) return committed;
   console.diagnostics(report->diagnostics.all(), options.program);
   console.result(simulationToJson(*report, model->machine()),

@@ -29,6 +29,32 @@ std::string summaryOf(const thread_grinding::ThreadReport& report, const std::st
       report.cut.hand == thread_grinding::Hand::Right ? "right" : "left", report.cut.lead);
 }
 
+/// The checks of a thread speak of "pitch_mm is -1.5"; this finds the place where that key stands.
+template <typename Finding>
+void locate(Finding& finding, const Json& parameters) {
+  const Json* value = parameters.find(std::string_view(finding.text).substr(0, finding.text.find(' ')));
+  if (value == nullptr || finding.line != 0) return;
+  finding.line = value->line();
+  finding.column = value->column();
+}
+
+/// The program of a job, its warnings and faults placed in the parameter file.
+Result<thread_grinding::ThreadProgram> generatePlaced(const thread_grinding::ThreadJob& job,
+                                                      const std::string& text, const std::string& source) {
+  Result<thread_grinding::ThreadProgram> program =
+      thread_grinding::generateThread(job.parameters, job.limits);
+  const Result<Json> parameters = parseJson(text, source);
+  if (!parameters) return parameters.error();
+  if (program) {
+    for (Diagnostic& warning : program->report.warnings) locate(warning, *parameters);
+    return program;
+  }
+  Error error = program.error();
+  if (error.line == 0) error.source = source;
+  locate(error, *parameters);
+  return error;
+}
+
 Result<void> runThread(const ThreadOptions& options, Console& console) {
   const std::array inputs{options.parameters};
   const std::array outputs{options.out};
@@ -43,13 +69,8 @@ Result<void> runThread(const ThreadOptions& options, Console& console) {
     if (!machine) return machine.error();
     if (Result<void> taken = takeLimits(*machine, *job); !taken) return taken;
   }
-  const Result<thread_grinding::ThreadProgram> program =
-      thread_grinding::generateThread(job->parameters, job->limits);
-  if (!program) {
-    Error error = program.error();
-    if (error.line == 0) error.source = options.parameters;
-    return error;
-  }
+  const Result<thread_grinding::ThreadProgram> program = generatePlaced(*job, *text, options.parameters);
+  if (!program) return program.error();
   console.diagnostics(program->report.warnings, options.parameters);
   if (console.isCancelled()) return cancelled();
   if (Result<void> written = writeFile(options.out, program->text); !written) return written;
