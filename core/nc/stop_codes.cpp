@@ -70,7 +70,7 @@ bool returnOrEnd(Execution& e, const Word& word) {
 
 bool isRunTimeCode(const Execution& e, int code) { return e.dialect == Dialect::LinuxCnc && code == 66; }
 
-bool executeCode(Execution& e, const Word& word) {
+bool executeMachineCode(Execution& e, const Word& word) {
   const int code = word.value >= 0.0 && word.value < 100'000.0 ? static_cast<int>(word.value) : -1;
   if (code < 0 || word.value != code)
     return fail(e, code::kBadValue, word.begin, fmt::format("M{} is no M code", word.value));
@@ -124,7 +124,7 @@ bool executeCode(Execution& e, const Word& word) {
 
 bool executeStopCodes(Execution& e) {
   for (const Word& word : e.block.words) {
-    if (word.letter == 'M' && word.digit == 0 && !executeCode(e, word)) return false;
+    if (word.letter == 'M' && word.digit == 0 && !executeMachineCode(e, word)) return false;
   }
   return true;
 }
