@@ -33,7 +33,7 @@ bool belongsToMotion(const nc::Word& word) {
 }
 
 /// Counts digits after the points of a line's axis words, comments left out.
-void countDecimals(std::string_view line, const nc::AxisLayout& layout, NumberStyle& style, bool& inch) {
+void countDecimals(std::string_view line, const nc::AxisLayout& layout, NumberStyle& style) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == ';') return;
     if (line[i] == '(') {
@@ -41,7 +41,7 @@ void countDecimals(std::string_view line, const nc::AxisLayout& layout, NumberSt
       continue;
     }
     const char letter = static_cast<char>(line[i] & ~0x20);
-    if (letter == 'G' && (line.substr(i + 1, 2) == "20" || line.substr(i + 1, 2) == "70")) inch = true;
+    if (letter == 'G' && (line.substr(i + 1, 2) == "20" || line.substr(i + 1, 2) == "70")) style.inch = true;
     if (!isAxisLetter(letter)) continue;
     AxisId axis{letter, 0};
     std::size_t k = i + 1;
@@ -67,15 +67,14 @@ void countDecimals(std::string_view line, const nc::AxisLayout& layout, NumberSt
 
 Result<NumberStyle> learnNumberStyle(nc::TextSource& source, const nc::AxisLayout& layout) {
   NumberStyle style;
-  bool inch = false;
   std::uint64_t offset = 0;
   for (std::size_t line = 0; line < kLinesToLearnFrom && offset < source.size(); ++line) {
     const Result<nc::TextSource::Line> text = source.lineAt(offset);
     if (!text) return text.error();
-    countDecimals(text->text, layout, style, inch);
+    countDecimals(text->text, layout, style);
     offset = text->next;
   }
-  if (inch) style.linear_decimals = std::max(style.linear_decimals, 4);
+  if (style.inch) style.linear_decimals = std::max(style.linear_decimals, 4);
   return style;
 }
 

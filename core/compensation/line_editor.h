@@ -13,6 +13,7 @@ namespace nineline::compensation {
 struct NumberStyle {
   int linear_decimals = 3;
   int rotary_decimals = 3;
+  bool inch = false;  ///< the program sets inches somewhere
 };
 
 /// Digits after the point that the axis words of a program use, from its first lines; never fewer than

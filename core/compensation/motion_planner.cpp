@@ -47,7 +47,15 @@ MotionPlanner::MotionPlanner(const ErrorModel& model, const ProgramSetup& setup,
   solver_.conditions() = setup.state;
 }
 
-void MotionPlanner::pass(const Motion& motion) { updateSenses(motion, 0.0, 1.0); }
+void MotionPlanner::setResolution(double linear, double rotary) {
+  options_.tolerance = std::max(options_.tolerance, 0.5 * linear);
+  options_.angle_tolerance = std::max(options_.angle_tolerance, 0.5 * rotary);
+}
+
+void MotionPlanner::pass(const Motion& motion) {
+  updateSenses(motion, 0.0, 1.0);
+  last_.reset();
+}
 
 void MotionPlanner::updateSenses(const Motion& motion, double from, double to) {
   const AxisValues a = positionAt(motion, machine_.jointCount(), from);
@@ -177,13 +185,13 @@ Result<void> MotionPlanner::planSection(const Motion& motion, double from, doubl
   Node start;
   start.fraction = from;
   if (first && !(takes_up && may_split_)) {
-    // The corrected program stands where its last block put it, rounding included.
+    // The corrected program stands where its last block put it; its rounding is no reason to subdivide.
     const Result<JointPositions> ideal = jointsOf(machine_, motion.start, motion.tool_centre_point);
     const Result<JointPositions> corrected = jointsOf(machine_, at, motion.tool_centre_point);
     if (!ideal) return ideal.error();
     if (!corrected) return corrected.error();
     start.ideal = *ideal;
-    start.corrected = *corrected;
+    start.corrected = last_ && last_->ideal == *ideal ? last_->corrected : *corrected;
   } else {
     const Result<Node> solved = solveAt(motion, from);
     if (!solved) return solved.error();
@@ -200,6 +208,7 @@ Result<void> MotionPlanner::planSection(const Motion& motion, double from, doubl
   if (!end) return end.error();
   for (std::size_t k = 0; k < largest_.size(); ++k)
     largest_[k] = std::max(largest_[k], std::abs(end->corrected[k] - end->ideal[k]));
+  last_ = *end;
   if (rapid) {
     Piece piece;
     piece.end = valuesOf(machine_, end->corrected, motion.tool_centre_point);

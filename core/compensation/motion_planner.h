@@ -27,6 +27,10 @@ class MotionPlanner {
   [[nodiscard]] Result<void> plan(const nc::Motion& motion, unsigned free, const nc::AxisValues& from,
                                   bool may_split, std::vector<Piece>& pieces);
 
+  /// Least increments of the words, mm and rad: below half of one nothing is subdivided, rounding would undo
+  /// it.
+  void setResolution(double linear, double rotary);
+
   /// A motion that stays as it is (a reference return, a cycle): takes note of the senses of the joints.
   void pass(const nc::Motion& motion);
 
@@ -66,6 +70,7 @@ class MotionPlanner {
   Senses senses_{};
   JointPositions correction_{};  // of the last point: the next one starts from it
   JointPositions largest_{};
+  std::optional<Node> last_;  // where the last motion ended, before rounding
   unsigned free_ = 0;
   bool may_split_ = true;
   bool exceeded_ = false;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/units.h"
+
 namespace nineline::compensation {
 
 using nc::AxisMask;
@@ -46,13 +48,21 @@ ProgramCorrector::ProgramCorrector(const ErrorModel& model, const ProgramSetup& 
 Result<void> ProgramCorrector::learnStyle() {
   const Result<NumberStyle> style = learnNumberStyle(source_, layout_);
   if (!style) return style.error();
+  double linear_resolution = 0.0;
+  double rotary_resolution = 0.0;
   for (int i = 0; i < layout_.count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const bool rotary = layout_.axes[k].rotary;
     const std::optional<int>& chosen = rotary ? options_.rotary_decimals : options_.linear_decimals;
     decimals_[k] =
         std::clamp(chosen.value_or(rotary ? style->rotary_decimals : style->linear_decimals), 0, 9);
+    const double increment = std::pow(10.0, -decimals_[k]);
+    double& resolution = rotary ? rotary_resolution : linear_resolution;
+    resolution = std::max(resolution, rotary        ? radFromDeg(increment)
+                                      : style->inch ? mmFromInch(increment)
+                                                    : increment);
   }
+  planner_.setResolution(linear_resolution, rotary_resolution);
   return {};
 }
 
