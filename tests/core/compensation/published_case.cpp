@@ -121,9 +121,8 @@ errors::ErrorModel PublishedCase::model() const {
   addJoint('X', 2, errorsOfX(), first.x);
   const auto addLocation = [&](char letter, int joint, int row, double value) {
     if (!squareness || translations_only) return;
-    effects.push_back(
-        std::make_shared<FormulaEffect>(joint, Component{{letter, 0}, row, true}, Slot::Located,
-                                        [this_value = angle_sign * value](double) { return this_value; }));
+    effects.push_back(std::make_shared<FormulaEffect>(joint, Component{{letter, 0}, row, true}, Slot::Located,
+                                                      [value](double) { return value; }));
   };
   addLocation('C', 1, 3, 6e-6);
   addLocation('C', 1, 4, one_symbol ? -9e-6 : 12e-6);

@@ -52,7 +52,7 @@ struct PublishedCase {
   bool levers = true;
   bool fixed_frame = false;          ///< C errors read in the standing frame
   bool one_symbol = false;           ///< B0C takes the value of B0X
-  double angle_sign = 1.0;           ///< of all angular errors
+  double angle_sign = 1.0;           ///< of the angular error motions; the squarenesses stay
   bool values_at_the_start = false;  ///< every error keeps its value at the first point
 
   [[nodiscard]] GrinderGeometry geometry() const;
