@@ -33,6 +33,7 @@ struct CompensateOptions {
   std::optional<double> limit_arcsec;
   bool keep_block_count = false;
   bool no_rapids = false;
+  bool first_order = false;
   std::optional<int> decimals;
   std::optional<int> rotary_decimals;
 };
@@ -66,8 +67,9 @@ std::string summaryOf(const compensation::CompensationReport& report, const kine
 
 Result<void> runCompensate(const CompensateOptions& options, Console& console) {
   if (Result<void> own = requireOwnFiles(options); !own) return own;
-  const Result<errors::ErrorModel> model = errors::loadErrorModel(options.model);
+  Result<errors::ErrorModel> model = errors::loadErrorModel(options.model);
   if (!model) return model.error();
+  if (options.first_order) *model = model->withRotationModel(kinematics::RotationModel::FirstOrder);
   const Result<simulation::ProgramSetup> setup = setupFrom(options.setup, model->machine());
   if (!setup) return setup.error();
   Result<CorrectionFiles> files = CorrectionFiles::create(options.out, options.path);
@@ -93,6 +95,8 @@ void addVerbOptions(CLI::App& app, CompensateOptions& options) {
   addPositive(app, "--limit-arcsec", options.limit_arcsec, "The same for a rotary axis (3600)");
   app.add_flag("--keep-block-count", options.keep_block_count, "Never insert lines");
   app.add_flag("--no-rapids", options.no_rapids, "Leave the ends of rapid motions as programmed");
+  // Only to reproduce the literature (theory.md, 1.3), so that the help leaves it out.
+  app.add_flag("--first-order", options.first_order)->group("");
   app.add_option("--mode", options.mode,
                  "What is corrected: tip and tool axis as far as the axes reach, the tip only, or a thread "
                  "with X and Z alone")
