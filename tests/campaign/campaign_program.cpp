@@ -80,7 +80,7 @@ void ProgramDrawer::start() {
   put(fmt::format("G{} G90 G94 G40 G49 G80 G17", program_.inch ? 20 : 21));
   put("G10 L2 P1" + offsets);
   put("G54");
-  put(fmt::format("T1 M6 (TOOL)"));
+  put("T1 M6 (TOOL)");
   put(fmt::format("S{} M3", random_.whole(100, 4000)));
   if (machine_.structure != Structure::Grinder && random_.whole(0, 2) == 0) {
     program_.tool_length = 0.5 * random_.whole(10, 80);
@@ -97,9 +97,8 @@ void ProgramDrawer::start() {
 }
 
 void ProgramDrawer::line(bool rapid) {
-  std::string words = code(rapid ? 0 : 1);
+  std::string words;
   Steps target = at_;
-  bool any = false;
   for (std::size_t i = 0; i < machine_.joints.size(); ++i) {
     if (random_.whole(0, 1) == 0) continue;
     // Mostly short ways, as CAM systems write them; now and then across the room.
@@ -107,9 +106,9 @@ void ProgramDrawer::line(bool rapid) {
     const double part = random_.whole(0, 2) == 0 ? 1.0 : 0.1;
     target[i] = at_[i] + std::llround(part * static_cast<double>(far - at_[i]));
     words += word(i, target[i]);
-    any = true;
   }
-  if (!any) return;
+  if (words.empty()) return;
+  words = code(rapid ? 0 : 1) + words;
   at_ = target;
   if (!rapid && random_.whole(0, 5) == 0)
     words += fmt::format(" F{}", program_.inch ? random_.whole(5, 40) : random_.whole(100, 900));
