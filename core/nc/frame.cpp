@@ -33,7 +33,7 @@ void refreshFrame(Execution& e) {
     const AxisLayout::Axis& axis = e.options.axes.axes[index(i)];
     const bool halved = axis.diameter || (e.modal.diameter && axis.id == AxisId{'X', 0});
     const double unit = e.modal.inch ? kMillimetresPerInch : 1.0;
-    frame.factor[index(i)] = axis.rotary ? kPi / 180.0 : halved ? unit * 0.5 : unit;
+    frame.factor[index(i)] = axis.rotary ? radFromDeg(1.0) : halved ? unit * 0.5 : unit;
     frame.shift[index(i)] = o.external[index(i)] + (work ? (*work)[index(i)] : 0.0) + o.tool[index(i)];
   }
   AxisValues inner{};  // inside a rotation about the work offset
