@@ -108,6 +108,10 @@ void ProgramDrawer::line(bool rapid) {
     words += word(i, target[i]);
   }
   if (words.empty()) return;
+  // A feed of rotary axes alone is in degrees and cannot take linear words: no part of this campaign.
+  const auto first_linear = static_cast<std::size_t>(find('Z'));
+  if (!rapid && words.find_first_of("XYZ") == std::string::npos)
+    words += word(first_linear, at_[first_linear]);
   words = code(rapid ? 0 : 1) + words;
   at_ = target;
   if (!rapid && random_.whole(0, 5) == 0)
