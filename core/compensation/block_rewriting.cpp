@@ -177,7 +177,8 @@ void ProgramCorrector::writeCentre(const Motion& motion, const Piece& piece, con
   if (by_radius) {
     if (0.5 * (b - a).norm() < 0.95 * radius) {
       const double sign = std::abs(piece.sweep) > kPi ? -1.0 : 1.0;
-      changed_ = editor_.setWord('R', sign * radius / unit, decimals_[first]) || changed_;
+      changed_ =
+          editor_.setWord('R', roundTo(sign * radius / unit, decimals_[first]), decimals_[first]) || changed_;
       return;
     }
     editor_.removeWord('R');

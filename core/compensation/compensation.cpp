@@ -14,6 +14,9 @@ namespace nineline::compensation {
 
 namespace {
 
+/// mm: the deviation of a perfect machine that rounding may add.
+constexpr double kWorse = 2e-3;
+
 Result<void> checkOptions(const ErrorModel& model, const CompensationOptions& options) {
   if (!(options.tolerance > 0.0) || !(options.angle_tolerance > 0.0)) {
     return usageError("compensation.tolerance", "The tolerances must be above 0.");
@@ -93,6 +96,13 @@ Result<CompensationReport> compensateProgram(
     Error error = check.error();
     error.source = program.name();
     return error;
+  }
+  if (check->after.norm.rms > check->before.norm.rms + kWorse) {
+    return noAnswer("compensation.worse",
+                    fmt::format("The corrected program would be worse than the original: {:.6f} mm RMS "
+                                "instead of {:.6f} mm. Nothing was written.",
+                                check->after.norm.rms, check->before.norm.rms),
+                    program.name());
   }
   report.before = std::move(check->before);
   report.after = std::move(check->after);

@@ -265,19 +265,21 @@ int MotionPlanner::innerSamples(const Motion& motion, const Node& a, const Node&
 /// A block that is short against every feature of the errors cannot bend: its bow is below |correction| ·
 /// (ℓ/L)²/2.
 bool MotionPlanner::isSmooth(const Motion& motion, const Node& a, const Node& b) const {
+  constexpr double kShort = 0.25;  // of a feature: the errors cannot rise and fall again within it
   double bow = 0.0;
   double correction = 0.0;
   for (int i = 0; i < machine_.jointCount(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    correction =
-        std::max(correction, std::abs(b.corrected[k] - b.ideal[k]) * (machine_.isRotary(i) ? 100.0 : 1.0));
+    const double weight = machine_.isRotary(i) ? 100.0 : 1.0;
+    correction = std::max({correction, weight * std::abs(b.corrected[k] - b.ideal[k]),
+                           weight * std::abs(a.corrected[k] - a.ideal[k])});
     const double feature =
         machine_.isRotary(i) ? std::min(model_.featureLength(i), kRotaryFeature) : model_.featureLength(i);
     const double travel =
         isInPlane(motion, i) ? std::abs(motion.sweep) * radiusOf(motion) : std::abs(b.ideal[k] - a.ideal[k]);
     bow += travel / feature;
   }
-  return correction * bow * bow < 0.1 * options_.tolerance;
+  return bow < kShort && correction * bow * bow < 0.1 * options_.tolerance;
 }
 
 Result<bool> MotionPlanner::lineFits(const Motion& motion, const Node& a, const Node& b) {

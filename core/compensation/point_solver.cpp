@@ -85,7 +85,11 @@ JointPositions PointSolver::threadStep(const PoseJacobian& jacobian, const PoseR
     const bool free = (request.free >> static_cast<unsigned>(i) & 1U) != 0;
     A.col(i) = free ? Eigen::Vector2d(rows * jacobian.col(i).head<3>()) : Eigen::Vector2d::Zero();
   }
-  const Eigen::Vector2d b = rows * left.head<3>();
+  const Eigen::Vector3d actual = target.tip - left.head<3>();
+  const Eigen::Vector3d actual_across = actual - axis * axis.dot(actual);
+  const double turn = std::atan2(axis.dot(actual_across.cross(across)), actual_across.dot(across));
+  const Eigen::Vector2d b(radius - actual_across.norm(),
+                          axis.dot(left.head<3>()) - request.advance.value_or(0.0) * turn);
   const double n00 = A.row(0).squaredNorm();
   const double n01 = A.row(0).dot(A.row(1));
   const double n11 = A.row(1).squaredNorm();

@@ -20,15 +20,6 @@ namespace {
 
 constexpr std::size_t kBlocksBetweenReports = 4096;
 
-AxisMask movedAxes(const Motion& motion, int axes) {
-  AxisMask mask = motion.commanded;
-  for (int i = 0; i < axes; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (motion.end[k] != motion.start[k]) mask |= nc::axisBit(i);
-  }
-  return mask;
-}
-
 }  // namespace
 
 ProgramCorrector::ProgramCorrector(const ErrorModel& model, const ProgramSetup& setup,
@@ -165,17 +156,7 @@ Result<void> ProgramCorrector::correct(const ExecutedBlock& executed) {
         return motion.role == MotionRole::Block || motion.role == MotionRole::Thread;
       });
   if (computed) return refuseComputed(executed);
-  for (const Motion& motion : executed.motions) {
-    planner_.pass(motion);
-    log_.addWhole();
-    emitted_.jumpTo(motion.end, movedAxes(motion, layout_.count));
-    if (motion.role == MotionRole::Cycle) {
-      report_.diagnostics.countedWarning(
-          "compensation.cycle", "Canned cycles stay as programmed; their deviation remains.", motion.line);
-    }
-  }
-  ideal_position_ = last.end;
-  return keep(executed);
+  return canCorrectCycle(executed) ? correctCycle(executed) : keepAsItIs(executed);
 }
 
 AxisMask ProgramCorrector::writableAxes(const ExecutedBlock& executed, const Motion& motion) {

@@ -47,6 +47,9 @@ class ProgramCorrector {
   [[nodiscard]] Result<void> correct(const nc::ExecutedBlock& executed);
   [[nodiscard]] Result<void> correctMotion(const nc::ExecutedBlock& executed, const nc::Motion& motion);
   [[nodiscard]] Result<void> keep(const nc::ExecutedBlock& executed);
+  [[nodiscard]] Result<void> keepAsItIs(const nc::ExecutedBlock& executed);
+  [[nodiscard]] bool canCorrectCycle(const nc::ExecutedBlock& executed) const;
+  [[nodiscard]] Result<void> correctCycle(const nc::ExecutedBlock& executed);
   [[nodiscard]] Result<void> refuseComputed(const nc::ExecutedBlock& executed) const;
   [[nodiscard]] nc::WordFrame shiftedFrame(const nc::WordFrame& frame) const;
   void followPositionOffsets(const nc::ExecutedBlock& executed);
@@ -74,7 +77,8 @@ class ProgramCorrector {
   nc::AxisValues shift_change_{};  // G92 took the corrected position, so that its offset differs by this
   nc::AxisValues ideal_position_{};
   nc::AxisMask commanded_ = 0;
-  MachineState covered_;  // to ask whether tables cover a position
+  double retract_change_ = 0.0;  // by which the R plane of a cycle was moved, mm
+  MachineState covered_;         // to ask whether tables cover a position
   std::array<int, kMaxAxes> decimals_{};
   LineEditor editor_;
   std::vector<Piece> pieces_;

@@ -194,7 +194,8 @@ TEST(PublishedCase, ThreadModeKeepsCAndTheGroove) {
   PointSolver thread(model, options);
   PointSolver full(model, {});
   const double lead = -1.5;  // left hand: wz = −z, φ = −γ, so that dz/dφ of the groove is lead / 2π
-  double largest_difference = 0.0;
+  double smallest = 1.0;     // um
+  double largest = 0.0;
   for (int k = 0; k < kPublishedPoints; ++k) {
     const GrinderPlace command = publishedCommand(k);
     const unsigned free = thread.freeJoints(kAllJoints);
@@ -212,9 +213,17 @@ TEST(PublishedCase, ThreadModeKeepsCAndTheGroove) {
                                      wanted.x() * touched.x() + wanted.y() * touched.y());
     EXPECT_NEAR(touched.head<2>().norm(), wanted.head<2>().norm(), 1e-9);
     EXPECT_NEAR(touched.z() - wanted.z() - lead / kTurn * turned, 0.0, 1e-9);
-    largest_difference = std::max(largest_difference, std::abs((*q)[0] - solved(full, command).z));
+    const GrinderPlace with_c = solved(full, command);
+    const double difference = std::abs((*q)[0] - with_c.z);
+    const double lead_equivalent = std::abs(lead / kTurn * (with_c.gamma - command.gamma));
+    EXPECT_NEAR(difference, lead_equivalent, 1e-7);
+    smallest = std::min(smallest, umFromMm(difference));
+    largest = std::max(largest, umFromMm(difference));
   }
-  EXPECT_NEAR(umFromMm(largest_difference), 0.044, 0.0005);
+  // The text's 0.044 um is that of an arc of 4.4 um; C asks for 1.7 to 6.3 um along the thread.
+  EXPECT_LT(smallest, 0.044);
+  EXPECT_GT(largest, 0.044);
+  EXPECT_NEAR(largest, 1.5 / kTurn * 6.3 / 24.0, 0.0006);
 }
 
 }  // namespace

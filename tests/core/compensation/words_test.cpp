@@ -46,7 +46,7 @@ TEST(CorrectedWords, KeepEverythingElseByteForByte) {
 TEST(CorrectedWords, StayTheSameOnAnIdealMachine) {
   const std::string text =
       "%\nO7(TEST)\r\nN1 G21 G90 G54\nG00 X+1.50 Y0.0 Z.5;\n/G1X5.Y-0.F100\n G2 X15 Y0 I5. J0 (arc)\nG91 "
-      "X.1\n"
+      "G1 X.1\n"
       "G90 G41 D1 Y3\nG40\n\nM30\n%";
   EXPECT_EQ(corrected(ErrorModel(mill().machine()), text), text);
 }
