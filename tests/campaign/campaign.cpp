@@ -34,8 +34,11 @@ double removed(double before, double after, double rest) {
 }
 
 void askSecond(const Case& one, const SecondOpinion& opinion, Outcome& outcome) {
-  const std::string before = opinion.read(one.program.text, one.program.tool_length);
-  const std::string after = opinion.read(outcome.corrected_text, one.program.tool_length);
+  const bool diameter = std::any_of(one.machine.joints.begin(), one.machine.joints.end(),
+                                    [](const PlainJoint& joint) { return joint.diameter; });
+  const std::string mode = diameter ? "G7\n" : "";  // on Fanuc controls a parameter, no word
+  const std::string before = opinion.read(mode + one.program.text, one.program.tool_length);
+  const std::string after = opinion.read(mode + outcome.corrected_text, one.program.tool_length);
   outcome.second_read = isComplete(before) && isComplete(after);
   if (outcome.second_read) {
     outcome.meaning = changedMeaning(before, after);
