@@ -77,6 +77,7 @@ class ProgramCorrector {
   nc::AxisValues shift_change_{};  // G92 took the corrected position, so that its offset differs by this
   nc::AxisValues ideal_position_{};
   nc::AxisMask commanded_ = 0;
+  double cycle_depth_ = 0.0;     // depth word of the last hole
   double retract_change_ = 0.0;  // by which the R plane of a cycle was moved, mm
   MachineState covered_;         // to ask whether tables cover a position
   std::array<int, kMaxAxes> decimals_{};
