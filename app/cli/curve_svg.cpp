@@ -25,7 +25,7 @@ struct Scale {
   [[nodiscard]] std::vector<double> ticks() const {
     std::vector<double> values;
     for (double k = std::ceil(low / step); k * step <= high + 1e-9 * step; k += 1.0) {
-      values.push_back(k * step);
+      values.push_back(k * step + 0.0);  // never -0
     }
     return values;
   }
