@@ -216,7 +216,8 @@ TEST(PublishedCase, ThreadModeKeepsCAndTheGroove) {
     const GrinderPlace with_c = solved(full, command);
     const double difference = std::abs((*q)[0] - with_c.z);
     const double lead_equivalent = std::abs(lead / kTurn * (with_c.gamma - command.gamma));
-    EXPECT_NEAR(difference, lead_equivalent, 1e-7);
+    // The errors of C that go with the arc differ by up to 3 um/rad, a nanometre here.
+    EXPECT_NEAR(difference, lead_equivalent, 1e-6);
     smallest = std::min(smallest, umFromMm(difference));
     largest = std::max(largest, umFromMm(difference));
   }
