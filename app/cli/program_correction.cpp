@@ -34,9 +34,11 @@ Result<compensation::CompensationReport> correctProgram(const errors::ErrorModel
     if (const Result<void> flushed = files.program.flush(); !flushed) return flushed.error();
     return nc::openTextFile(files.program.temporaryPath());
   };
-  const auto sink = [&files](std::string_view text) { return files.program.write(text); };
+  Result<void> written;  // its failure is of the output, not of the block that was being corrected
+  const auto sink = [&files, &written](std::string_view text) { return written = files.program.write(text); };
   Result<compensation::CompensationReport> report = compensation::compensateProgram(
       model, **program, setup, options, sink, open_corrected, progress, compared);
+  if (!written) return written.error();
   if (!report || !files.path) return report;
   const Result<std::unique_ptr<nc::TextSource>> corrected = open_corrected();
   if (!corrected) return corrected.error();

@@ -62,8 +62,9 @@ class Check:
                               preexec_fn=limit, restore_signals=False, timeout=120)
         what = f"full disk, {arguments[0]}"
         self.claim(done.returncode == 3, f"{what}: status {done.returncode}")
-        self.claim(done.stderr.startswith("error: out/old: ") and "The old file is untouched." in done.stderr,
-                   f"{what}: {done.stderr.strip()}")
+        fault = done.stderr.splitlines()[-1]
+        self.claim(fault.startswith("error: out/old: ") and fault.endswith("The old file is untouched."),
+                   f"{what}: {fault}")
         self.claim(done.stdout == "", f"{what}: nothing on stdout")
         self.untouched(work, what)
         shutil.rmtree(work)

@@ -1,0 +1,1 @@
+(AN OLDER PROGRAM)
