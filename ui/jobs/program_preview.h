@@ -13,7 +13,7 @@ namespace nineline::jobs {
 /// first.
 class PathRecord {
  public:
-  static constexpr std::size_t kMostSamples = 150'000;
+  static constexpr std::size_t kMostSamples = 150000;
   void add(const simulation::PathSample& sample);
   [[nodiscard]] const std::vector<simulation::PathSample>& samples() const { return samples_; }
   [[nodiscard]] std::vector<simulation::PathSample> take() { return std::move(samples_); }

@@ -32,9 +32,9 @@ QString locationDescription(const Component& component, const QString& axis, con
 QString linearDescription(const Component& component, bool along, const QString& axis,
                           const QString& direction) {
   if (!component.isAngular()) {
-    return along ? translated(QT_TRANSLATE_NOOP("components", "positioning error of %1")).arg(axis)
-                 : translated(QT_TRANSLATE_NOOP("components", "straightness of %1 in the %2 direction"))
-                       .arg(axis, direction);
+    return along
+               ? translated(QT_TRANSLATE_NOOP("components", "positioning error of %1")).arg(axis)
+               : translated(QT_TRANSLATE_NOOP("components", "straightness of %1 in %2")).arg(axis, direction);
   }
   return along ? translated(QT_TRANSLATE_NOOP("components", "roll of %1")).arg(axis)
                : translated(QT_TRANSLATE_NOOP("components", "tilt of %1 about %2")).arg(axis, direction);
@@ -44,7 +44,7 @@ QString rotaryDescription(const Component& component, bool along, const QString&
                           const QString& direction) {
   if (!component.isAngular()) {
     return along ? translated(QT_TRANSLATE_NOOP("components", "axial motion of %1")).arg(axis)
-                 : translated(QT_TRANSLATE_NOOP("components", "radial motion of %1 in the %2 direction"))
+                 : translated(QT_TRANSLATE_NOOP("components", "radial motion of %1 in %2"))
                        .arg(axis, direction);
   }
   return along ? translated(QT_TRANSLATE_NOOP("components", "angular positioning error of %1")).arg(axis)

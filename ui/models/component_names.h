@@ -13,7 +13,7 @@ namespace nineline::models {
 [[nodiscard]] std::vector<errors::Component> motionComponents(AxisId axis);
 [[nodiscard]] std::vector<errors::Component> locationComponents(AxisId axis);
 
-/// "positioning error of Z", "straightness of Z in the X direction", "roll of Z about Z": plain words.
+/// "positioning error of Z", "straightness of Z in X", "roll of Z about Z": plain words.
 [[nodiscard]] QString descriptionOf(const errors::Component& component, const kinematics::Machine& machine);
 /// "µm" or "″".
 [[nodiscard]] QString unitOf(const errors::Component& component);

@@ -119,6 +119,19 @@ Json withoutEntryAt(Json effects, std::size_t index) {
   return effects;
 }
 
+Json effectsFor(const Machine& machine, const Json& effects) {
+  Json kept = Json::array();
+  if (effects.items() == nullptr) return kept;
+  for (const Json& entry : *effects.items()) {
+    const auto component = errors::parseComponent(textOf(entry, "component"));
+    const auto joint = parseAxisId(textOf(entry, "joint"));
+    const std::optional<AxisId> axis =
+        joint ? joint : (component ? std::optional(component->axis) : std::nullopt);
+    if (axis && machine.find(*axis) >= 0) kept.push(entry);
+  }
+  return kept;
+}
+
 Json withLocation(Json effects, const Component& component, const Json& value) {
   if (value.isNull()) return withoutEntry(std::move(effects), component);
   Json entry = Json::object();

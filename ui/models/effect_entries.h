@@ -33,6 +33,9 @@ struct TableKeys {
 [[nodiscard]] Json withEntryAt(Json effects, std::size_t index, Json entry);
 [[nodiscard]] Json withoutEntryAt(Json effects, std::size_t index);
 
+/// The entries whose joint the machine has; choosing another machine drops the others.
+[[nodiscard]] Json effectsFor(const kinematics::Machine& machine, const Json& effects);
+
 /// A location entry; a null value removes it.
 [[nodiscard]] Json withLocation(Json effects, const errors::Component& component, const Json& value);
 [[nodiscard]] Json locationValue(const Json& effects, const errors::Component& component);

@@ -16,7 +16,7 @@ class ErrorTableModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  static constexpr std::size_t kMostValues = 10'000;
+  static constexpr std::size_t kMostValues = 10000;
 
   explicit ErrorTableModel(QObject* parent = nullptr);
   void setEntry(const kinematics::Machine& machine, const errors::Component& component, Json entry);

@@ -53,6 +53,15 @@ constexpr std::array kSentences = {
     Sentence{"document.", QT_TRANSLATE_NOOP("messages", "The project file cannot be used.")},
 };
 
+const char* sourceOf(const std::string& code) {
+  for (const Sentence& sentence : kSentences) {
+    if (code.starts_with(sentence.prefix)) return sentence.text;
+  }
+  return nullptr;
+}
+
+QString sourceFor(const std::string& code) { return QString::fromUtf8(sourceOf(code)); }
+
 QString place(std::size_t line, std::size_t column) {
   if (line == 0) return {};
   if (column == 0) return QCoreApplication::translate("messages", "Line %1:").arg(line) + QLatin1Char(' ');
@@ -71,18 +80,22 @@ QString message(const std::string& code, const std::string& text, std::size_t li
 }  // namespace
 
 QString sentenceFor(const std::string& code) {
-  for (const Sentence& sentence : kSentences) {
-    if (code.starts_with(sentence.prefix)) return QCoreApplication::translate("messages", sentence.text);
-  }
-  return {};
+  const char* source = sourceOf(code);
+  return source == nullptr ? QString() : QCoreApplication::translate("messages", source);
 }
 
 QString messageOf(const Error& error) { return message(error.code, error.text, error.line, error.column); }
 
 QString messageOf(const Diagnostic& diagnostic) {
   const QString detail = place(diagnostic.line, diagnostic.column) + QString::fromStdString(diagnostic.text);
-  if (diagnostic.count < 2) return detail;
-  return QCoreApplication::translate("messages", "%1 (%2 times)").arg(detail).arg(diagnostic.count);
+  QString message = detail;
+  if (diagnostic.count > 1) {
+    message = QCoreApplication::translate("messages", "%1 (%2 times)").arg(detail).arg(diagnostic.count);
+  }
+  const QString sentence = sentenceFor(diagnostic.code);
+  // In English the detail says it all.
+  const bool english = sentence.isEmpty() || sentence == sourceFor(diagnostic.code);
+  return english ? message : sentence + QLatin1Char('\n') + message;
 }
 
 }  // namespace nineline::models

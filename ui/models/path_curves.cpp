@@ -6,7 +6,7 @@ namespace nineline::models {
 
 namespace {
 
-constexpr std::size_t kMostPoints = 20'000;
+constexpr std::size_t kMostPoints = 20000;
 
 double shown(bool rotary, double value) { return rotary ? degFromRad(value) : value; }
 

@@ -77,7 +77,7 @@ QString SummaryModel::value(const Row& row, int column) const {
     case Reduction:
       if (row.before.rms < kNanometre * kThousandth) return QStringLiteral("–");
       return QStringLiteral("%1 %").arg(compensation::reductionPercent(row.before.rms, row.after.rms), 0, 'f',
-                                        2);
+                                        1);
     default:
       return {};
   }

@@ -116,18 +116,28 @@ std::optional<std::size_t> EffectsEditor::current() const {
 }
 
 void EffectsEditor::showForm() {
-  if (form_ != nullptr) form_->deleteLater();
-  form_ = nullptr;
   const auto index = current();
+  const std::string wanted = index ? textOf((*effects_.items())[*index], "effect") + " " +
+                                         textOf((*effects_.items())[*index], "joint")
+                                   : std::string();
+  if (form_ != nullptr && wanted != form_for_) {
+    form_->deleteLater();
+    form_ = nullptr;
+  }
   if (!index) return;
   const Json& entry = (*effects_.items())[*index];
+  if (form_ == nullptr) makeForm(entry);
+  form_for_ = wanted;
+  Json values = Json::object();
+  for (const Field& field : form_->fields()) values.set(field.key, models::parameterOf(entry, field.key));
+  form_->setValues(values);
+}
+
+void EffectsEditor::makeForm(const Json& entry) {
   const auto axis = parseAxisId(textOf(entry, "joint"));
   const int joint = axis ? machine_->find(*axis) : -1;
   form_ = new widgets::ParameterForm(
       fieldsOf(textOf(entry, "effect"), joint >= 0 && machine_->isRotary(joint)), this);
-  Json values = Json::object();
-  for (const Field& field : form_->fields()) values.set(field.key, models::parameterOf(entry, field.key));
-  form_->setValues(values);
   form_place_->addWidget(form_);
   connect(form_, &widgets::ParameterForm::edited, this, [this](const QString& key, const Json& value) {
     const auto at = current();

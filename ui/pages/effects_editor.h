@@ -32,6 +32,7 @@ class EffectsEditor : public QWidget {
   void add(const std::string& id, int joint);
   void remove();
   void showForm();
+  void makeForm(const Json& entry);
   [[nodiscard]] std::optional<std::size_t> current() const;
 
   std::optional<kinematics::Machine> machine_;
@@ -39,6 +40,7 @@ class EffectsEditor : public QWidget {
   QListWidget* list_;
   QVBoxLayout* form_place_;
   widgets::ParameterForm* form_ = nullptr;
+  std::string form_for_;  ///< effect and joint that the form was made for
 };
 
 }  // namespace nineline::pages

@@ -1,6 +1,7 @@
 #include "ui/pages/machine_page.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -11,6 +12,7 @@
 
 #include "core/base/file.h"
 #include "core/kinematics/machine_file.h"
+#include "ui/models/effect_entries.h"
 #include "ui/pages/axis_panel.h"
 #include "ui/pages/camera_buttons.h"
 #include "ui/views/machine_view.h"
@@ -51,6 +53,10 @@ QWidget* MachinePage::makeChooser() {
   auto* panel = new QWidget(this);
   auto* layout = new QVBoxLayout(panel);
   layout->setContentsMargins(0, 0, 0, 0);
+  current_ = new QLabel(panel);
+  current_->setObjectName(QStringLiteral("editorTitle"));
+  current_->setWordWrap(true);
+  layout->addWidget(current_);
   list_ = new QListWidget(panel);
   list_->setObjectName(QStringLiteral("machineList"));
   list_->setWordWrap(true);
@@ -121,6 +127,7 @@ void MachinePage::chooseBuiltIn(const QString& id) {
   if (machine == nullptr) return;
   models::Document next = document();
   next.machine_text = writeJson(kinematics::machineToJson(*machine));
+  next.effects = models::effectsFor(*machine, next.effects);
   edit(tr("Choose machine"), std::move(next));
 }
 
@@ -159,6 +166,8 @@ void MachinePage::refresh() {
   messages_->setFine(tr("The machine file is right."));
   view_->setMachine(&*machine);
   axes_->setMachine(*machine);
+  current_->setText(QString::fromStdString(machine->name()));
+  list_->setCurrentRow(-1);
   for (int row = 0; row < list_->count(); ++row) {
     const bool same = list_->item(row)->data(Qt::UserRole).toString().toStdString() == machine->id();
     if (same) list_->setCurrentRow(row);

@@ -3,6 +3,7 @@
 #include "core/kinematics/machine.h"
 #include "ui/pages/page.h"
 
+class QLabel;
 class QListWidget;
 class QTimer;
 
@@ -36,6 +37,7 @@ class MachinePage : public Page {
   void refresh();
   void takeText();
 
+  QLabel* current_;
   QListWidget* list_;
   views::MachineView* view_;
   AxisPanel* axes_;

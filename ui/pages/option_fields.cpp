@@ -1,6 +1,10 @@
 #include "ui/pages/option_fields.h"
 
 #include <QCoreApplication>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/compensation/compensation.h"
 
 namespace nineline::pages {
 
@@ -8,7 +12,7 @@ namespace {
 
 using widgets::Field;
 
-QString tr(const char* text) { return QCoreApplication::translate("options", text); }
+QString text(const char* source) { return QCoreApplication::translate("options", source); }
 
 Field group(const QString& label) {
   Field field;
@@ -50,33 +54,45 @@ Field choices(const char* key, const QString& label, std::vector<widgets::Choice
 }  // namespace
 
 std::vector<Field> optionFields() {
+  const compensation::CompensationOptions usual;
   std::vector<Field> fields;
-  fields.push_back(group(tr("Accuracy")));
-  fields.push_back(number("tolerance_um", tr("Tolerance along a block"), "µm", 1.0));
-  fields.push_back(number("angle_tolerance_arcsec", tr("Tolerance of the tool axis"), "″", 3.6));
-  fields.push_back(flag("keep_block_count", tr("Keep the number of blocks"), false));
-  fields.push_back(flag("correct_rapids", tr("Correct rapid motions too"), true));
-  fields.push_back(choices("mode", tr("Correct"),
-                           {{"auto", tr("Tip and tool axis")},
-                            {"tip", tr("The tool tip only")},
-                            {"thread", tr("Radius and lead of a thread (X and Z)")}}));
-  fields.push_back(group(tr("Limits")));
-  fields.push_back(number("largest_correction_mm", tr("Largest correction"), "mm", 1.0));
-  fields.push_back(number("largest_correction_deg", tr("Largest angular correction"), "°", 1.0));
-  fields.push_back(group(tr("Decimals of the corrected words")));
-  fields.push_back(number("linear_decimals", tr("Linear axes"), "", {}, tr("as in the program")));
-  fields.push_back(number("rotary_decimals", tr("Rotary axes"), "", {}, tr("as in the program")));
+  fields.push_back(group(text(QT_TRANSLATE_NOOP("options", "Accuracy"))));
+  fields.push_back(number("tolerance_um", text(QT_TRANSLATE_NOOP("options", "Tolerance along a block")), "µm",
+                          umFromMm(usual.tolerance)));
+  fields.push_back(number("angle_tolerance_arcsec",
+                          text(QT_TRANSLATE_NOOP("options", "Tolerance of the tool axis")), "″",
+                          std::round(10.0 * arcsecFromRad(usual.angle_tolerance)) / 10.0));
+  fields.push_back(
+      flag("keep_block_count", text(QT_TRANSLATE_NOOP("options", "Keep the number of blocks")), false));
+  fields.push_back(
+      flag("correct_rapids", text(QT_TRANSLATE_NOOP("options", "Correct rapid motions too")), true));
+  fields.push_back(
+      choices("mode", text(QT_TRANSLATE_NOOP("options", "Correct")),
+              {{"auto", text(QT_TRANSLATE_NOOP("options", "Tip and tool axis"))},
+               {"tip", text(QT_TRANSLATE_NOOP("options", "The tool tip only"))},
+               {"thread", text(QT_TRANSLATE_NOOP("options", "Radius and lead of a thread (X and Z)"))}}));
+  fields.push_back(group(text(QT_TRANSLATE_NOOP("options", "Limits"))));
+  fields.push_back(
+      number("largest_correction_mm", text(QT_TRANSLATE_NOOP("options", "Largest correction")), "mm", 1.0));
+  fields.push_back(number("largest_correction_deg",
+                          text(QT_TRANSLATE_NOOP("options", "Largest angular correction")), "°", 1.0));
+  fields.push_back(group(text(QT_TRANSLATE_NOOP("options", "Decimals of the corrected words"))));
+  fields.push_back(number("linear_decimals", text(QT_TRANSLATE_NOOP("options", "Linear axes")), "", {},
+                          text(QT_TRANSLATE_NOOP("options", "as in the program"))));
+  fields.push_back(number("rotary_decimals", text(QT_TRANSLATE_NOOP("options", "Rotary axes")), "", {},
+                          text(QT_TRANSLATE_NOOP("options", "as in the program"))));
   return fields;
 }
 
 std::vector<Field> controlFields() {
   std::vector<Field> fields;
-  fields.push_back(choices("dialect", tr("Control"),
-                           {{"auto", tr("Recognise from the program")},
-                            {"fanuc", tr("ISO / Fanuc")},
-                            {"siemens", tr("Siemens 840D")},
-                            {"linuxcnc", tr("LinuxCNC")}}));
-  fields.push_back(flag("block_skip", tr("Skip blocks that begin with /"), false));
+  fields.push_back(choices("dialect", text(QT_TRANSLATE_NOOP("options", "Control")),
+                           {{"auto", text(QT_TRANSLATE_NOOP("options", "Recognise from the program"))},
+                            {"fanuc", text(QT_TRANSLATE_NOOP("options", "ISO / Fanuc"))},
+                            {"siemens", text(QT_TRANSLATE_NOOP("options", "Siemens 840D"))},
+                            {"linuxcnc", text(QT_TRANSLATE_NOOP("options", "LinuxCNC"))}}));
+  fields.push_back(
+      flag("block_skip", text(QT_TRANSLATE_NOOP("options", "Skip blocks that begin with /")), false));
   return fields;
 }
 

@@ -1,20 +1,28 @@
 #include "ui/pages/results_page.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QTableView>
 #include <QVBoxLayout>
 
 #include "core/base/file.h"
 #include "core/kinematics/machine_file.h"
+#include "ui/models/path_parts.h"
 #include "ui/models/summary_model.h"
 #include "ui/pages/error_curves.h"
 #include "ui/pages/path_panel.h"
 
 namespace nineline::pages {
+
+namespace {
+constexpr std::size_t kManyCuts = 3;  // that hide each other in one picture
+constexpr int kPartWidth = 220;
+}  // namespace
 
 ResultsPage::ResultsPage(Context context, QWidget* parent)
     : Page(context, tr("What the errors did to the tool path, and what is left of it after compensation."),
@@ -26,6 +34,7 @@ ResultsPage::ResultsPage(Context context, QWidget* parent)
   note_->setObjectName(QStringLiteral("fault"));
   note_->setWordWrap(true);
   layout->addWidget(note_);
+  layout->addWidget(makePartChooser());
   auto* splitter = new QSplitter(body());
   path_ = new PathPanel(splitter);
   splitter->addWidget(path_);
@@ -63,6 +72,8 @@ QWidget* ResultsPage::makeFigures() {
   table->verticalHeader()->setDefaultSectionSize(26);
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  table->setWordWrap(false);
+  table->setTextElideMode(Qt::ElideNone);
   table->setAlternatingRowColors(true);
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   layout->addWidget(table, 1);
@@ -80,8 +91,43 @@ void ResultsPage::refresh() {
     return;
   }
   summary_->setSummaries(*machine, outcome->report.before, outcome->report.after);
-  path_->setOutcome(*machine, outcome);
-  curves_->setOutcome(*machine, outcome);
+  const std::size_t cuts = models::cutsOf(outcome->before).size();
+  {
+    const QSignalBlocker blocker(part_);
+    part_->setItemText(1, tr("Last of %1 cuts").arg(cuts));
+    part_->setCurrentIndex(cuts >= kManyCuts ? 1 : 0);
+  }
+  showPart();
+}
+
+QWidget* ResultsPage::makePartChooser() {
+  auto* panel = new QWidget(this);
+  auto* layout = new QHBoxLayout(panel);
+  layout->setContentsMargins(0, 0, 0, 0);
+  part_ = new QComboBox(panel);
+  part_->addItem(tr("Whole program"));
+  part_->addItem(tr("Last cut"));
+  part_->setMinimumWidth(kPartWidth);
+  layout->addWidget(new QLabel(tr("Path and curves of"), panel));
+  layout->addWidget(part_);
+  layout->addWidget(new QLabel(tr("The table is of the whole program."), panel));
+  layout->addStretch(1);
+  connect(part_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ResultsPage::showPart);
+  return panel;
+}
+
+void ResultsPage::showPart() {
+  const jobs::OutcomePtr outcome = workspace().outcome();
+  const auto machine = kinematics::readMachine(workspace().outcomeDocument().machine_text, "");
+  if (outcome == nullptr || !machine) return;
+  auto shown = std::make_shared<jobs::CompensationOutcome>();
+  const auto cuts = models::cutsOf(outcome->before);
+  const models::PathPart part =
+      part_->currentIndex() == 1 && !cuts.empty() ? cuts.back() : models::PathPart{0, outcome->before.size()};
+  shown->before = models::samplesOf(outcome->before, part);
+  shown->after = models::samplesOf(outcome->after, part);
+  path_->setOutcome(*machine, shown);
+  curves_->setOutcome(*machine, shown);
 }
 
 void ResultsPage::refreshNote() {

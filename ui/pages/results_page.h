@@ -4,7 +4,6 @@
 
 class QComboBox;
 class QLabel;
-class QStackedWidget;
 
 namespace nineline::models {
 class SummaryModel;
@@ -23,6 +22,9 @@ class ResultsPage : public Page {
 
  private:
   QWidget* makeFigures();
+  QWidget* makePartChooser();
+  /// Shows the chosen part of the path in 3D and as curves.
+  void showPart();
   void refresh();
   void refreshNote();
   void saveTable();
@@ -30,6 +32,7 @@ class ResultsPage : public Page {
   PathPanel* path_;
   ErrorCurves* curves_;
   models::SummaryModel* summary_;
+  QComboBox* part_;
   QLabel* note_;
 };
 

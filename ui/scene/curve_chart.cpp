@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kTitleSize = 15;
 constexpr int kLabelSize = 13;
+constexpr int kOuterBorder = 36;
 constexpr float kLineWidth = 2.0F;
 constexpr float kNodeSize = 8.0F;
 constexpr unsigned char kGridShade = 225;
@@ -60,6 +61,7 @@ CurveChart::CurveChart()
   view_->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
   view_->GetScene()->AddItem(chart_);
   chart_->SetShowLegend(false);
+  chart_->SetHiddenAxisBorder(kOuterBorder);
 }
 
 void CurveChart::show(const ChartData& data) {

@@ -128,7 +128,9 @@ void MachineScene::addJoint(int index, const Vector3d& at, double size) {
     slide->SetZLength(0.45 * size);
     addPart(slide->GetOutputPort(), index, turnedFrom(Vector3d::UnitX(), d, at), colour);
   }
-  addArrow(index, at + d * 0.5 * size, d, 1.0 * size);
+  const bool rotary = joint.type == kinematics::JointType::Rotary;
+  const Vector3d over = rotary || at.isZero() ? Vector3d::Zero() : Vector3d(-at.normalized() * 0.32 * size);
+  addArrow(index, at + over + d * (rotary ? 0.15 : 0.35) * size, d, (rotary ? 1.1 : 0.9) * size);
 }
 
 void MachineScene::addChain(int first, int count, const Vector3d& stack) {
@@ -187,12 +189,19 @@ void MachineScene::setMachine(const Machine& machine) {
   addChain(work, machine.jointCount() - work, outward * 1.6);
   if (work > 0) addWorkpiece(turning);
   addTool(outward);
+  Vector3d centre = Vector3d::Zero();
+  const kinematics::BodyPoses poses = kinematics::bodyPoses(machine, {});
+  for (int joint = 0; joint < machine.jointCount(); ++joint) {
+    centre += poses[static_cast<std::size_t>(joint)].translation() / machine.jointCount();
+  }
+  centre -= down * down.dot(centre);
   vtkNew<vtkCubeSource> bed;
   bed->SetXLength(4.2 * scale_);
   bed->SetYLength(3.2 * scale_);
   bed->SetZLength(0.15 * scale_);
   addPart(bed->GetOutputPort(), -1,
-          turnedFrom(Vector3d::UnitZ(), -down, down * (0.55 * scale_ * (static_cast<double>(work) + 1.0))),
+          turnedFrom(Vector3d::UnitZ(), -down,
+                     centre + down * (0.55 * scale_ * (static_cast<double>(work) + 1.0))),
           kBed, 0.45);
   setPosition({});
   if (first) setCamera(CameraPreset::Isometric);

@@ -8,7 +8,10 @@
 
 #include "ui/views/opengl.h"
 
-inline void initResources() { Q_INIT_RESOURCE(nineline); }
+inline void initResources() {
+  Q_INIT_RESOURCE(nineline);
+  Q_INIT_RESOURCE(translations);
+}
 
 namespace nineline::shell {
 

@@ -20,7 +20,7 @@
 namespace nineline::shell {
 
 namespace {
-constexpr int kAutosave_ms = 20'000;
+constexpr int kAutosave_ms = 20000;
 }
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), edits_(&workspace_) {
@@ -110,6 +110,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings.setValue(QStringLiteral("folder"), workspace_.folder);
   settings.setValue(QStringLiteral("session"), store_.path());
   settings.setValue(QStringLiteral("step"), static_cast<int>(step_));
+  forgetRecovery();
   event->accept();
 }
 

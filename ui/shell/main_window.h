@@ -66,11 +66,17 @@ class MainWindow : public QMainWindow {
   bool mayLeave();
   void take(models::Document document);
   void autosave();
+  [[nodiscard]] static QString recoveryPath();
+  /// After a crash: the project that was never saved, where the person wants it back.
+  bool recover();
+  void forgetRecovery();
+  bool saveOverForeignChanges(const Error& error);
   void showAbout();
 
   models::Workspace workspace_;
   widgets::Edits edits_;
   ProjectStore store_;
+  ProjectStore recovery_;  ///< keeps a project that has no file yet
   Language language_;
   QTimer autosave_;
   widgets::StepBar* steps_ = nullptr;

@@ -1,6 +1,10 @@
+#include <QAbstractButton>
+#include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
 
@@ -67,6 +71,7 @@ bool MainWindow::openProject(const QString& path) {
 }
 
 bool MainWindow::restoreSession() {
+  if (recover()) return true;
   const QSettings settings;
   const QString path = settings.value(QStringLiteral("session")).toString();
   if (path.isEmpty() || !QFileInfo::exists(path) || !openProject(path)) return false;
@@ -83,8 +88,21 @@ bool MainWindow::save() {
     refreshTitle();
     return true;
   }
+  if (saved.error().code == "project.changed") return saveOverForeignChanges(saved.error());
   QMessageBox::warning(this, tr("Save project"), models::messageOf(saved.error()));
   return false;
+}
+
+bool MainWindow::saveOverForeignChanges(const Error& error) {
+  QMessageBox box(QMessageBox::Question, tr("Save project"),
+                  tr("Another window saved this project in the meantime.") + QStringLiteral("\n\n") +
+                      models::messageOf(error),
+                  QMessageBox::Cancel, this);
+  const QAbstractButton* over = box.addButton(tr("Write over it"), QMessageBox::AcceptRole);
+  const QAbstractButton* beside = box.addButton(tr("Save under another name"), QMessageBox::ActionRole);
+  box.exec();
+  if (box.clickedButton() == beside) return saveAs();
+  return box.clickedButton() == over && store_.takeNote() && save();
 }
 
 bool MainWindow::saveAs() {
@@ -102,6 +120,7 @@ bool MainWindow::saveAs() {
   }
   workspace_.folder = QFileInfo(path).absolutePath();
   edits_.stack().setClean();
+  forgetRecovery();
   remember(path);
   refreshTitle();
   return true;
@@ -116,8 +135,43 @@ bool MainWindow::mayLeave() {
   return answer == QMessageBox::Discard;
 }
 
+QString MainWindow::recoveryPath() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+         QStringLiteral("/unsaved.nineline");
+}
+
+bool MainWindow::recover() {
+  if (!QFileInfo::exists(recoveryPath())) return false;
+  const auto answer = QMessageBox::question(
+      this, tr("Unsaved project"), tr("Nineline ended before the last project was saved. Open it again?"));
+  bool opened = false;
+  if (answer == QMessageBox::Yes) {
+    Result<models::Document> document = recovery_.open(recoveryPath());
+    opened = document.has_value();
+    if (opened) {
+      workspace_.setOutcome(nullptr, {});
+      edits_.apply(tr("Recover project"), std::move(*document));
+    }
+  }
+  forgetRecovery();
+  return opened;
+}
+
+void MainWindow::forgetRecovery() {
+  recovery_.close();
+  QFile::remove(recoveryPath());
+}
+
 void MainWindow::autosave() {
-  if (!store_.isOpen() || store_.isReadOnly() || edits_.stack().isClean()) return;
+  if (edits_.stack().isClean() || store_.isReadOnly()) return;
+  if (!store_.isOpen()) {
+    QDir().mkpath(QFileInfo(recoveryPath()).absolutePath());
+    const Result<void> kept = recovery_.isOpen()
+                                  ? recovery_.save(workspace_.document(), nullptr)
+                                  : recovery_.saveAs(recoveryPath(), workspace_.document(), nullptr);
+    if (!kept) recovery_.close();
+    return;
+  }
   if (store_.save(workspace_.document(), workspace_.outcome())) {
     edits_.stack().setClean();
     refreshTitle();

@@ -19,6 +19,8 @@ class ProjectStore {
   /// Makes a new file (an existing one is replaced only when that succeeds) and stays with it.
   [[nodiscard]] Result<void> saveAs(const QString& path, const models::Document& document,
                                     const jobs::OutcomePtr& outcome);
+  /// Lets the next save write over what another window saved in the meantime.
+  [[nodiscard]] Result<void> takeNote() { return file_->reload(); }
   void close() { file_.reset(); }
 
   [[nodiscard]] bool isOpen() const { return file_ != nullptr; }

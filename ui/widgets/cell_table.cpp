@@ -67,6 +67,11 @@ void CellTable::keyPressEvent(QKeyEvent* event) {
   QTableView::keyPressEvent(event);
 }
 
+void CellTable::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+  QTableView::closeEditor(editor, hint);
+  if (hint == QAbstractItemDelegate::SubmitModelCache) goDown();
+}
+
 void CellTable::goDown() {
   const QModelIndex below = currentIndex().siblingAtColumn(currentIndex().column());
   if (below.isValid() && below.row() + 1 < model()->rowCount()) {

@@ -13,8 +13,8 @@ namespace nineline::widgets {
 
 namespace {
 
-constexpr int kUnitWidth = 64;
-constexpr int kEditorWidth = 120;
+constexpr int kUnitWidth = 56;
+constexpr int kEditorWidth = 90;
 
 void showChoice(QComboBox* box, const Json& value) {
   const QSignalBlocker blocker(box);
@@ -71,7 +71,6 @@ void ParameterForm::addField(QFormLayout* form, const Field& field) {
   auto* label = new QLabel(field.label, this);
   label->setBuddy(editor);
   label->setToolTip(field.hint);
-  label->setWordWrap(true);
   form->addRow(label, row);
 }
 
