@@ -17,11 +17,15 @@ using nc::MotionKind;
 
 namespace {
 
-/// M codes that act when the motion has ended: program stop and end, spindle and coolant off, calls.
+/// M codes that act when the motion has ended: program stop and end, calls.
 bool actsAtEnd(double code) {
-  static constexpr std::array<double, 9> kCodes = {0, 1, 2, 5, 9, 30, 60, 98, 99};
+  static constexpr std::array<double, 7> kCodes = {0, 1, 2, 30, 60, 98, 99};
   return std::find(kCodes.begin(), kCodes.end(), code) != kCodes.end();
 }
+
+/// Spindle and coolant off: Fanuc's act at the end, LinuxCNC's before the motion. Such a block stays one
+/// block.
+bool dependsOnControl(double code) { return code == 5.0 || code == 9.0; }
 
 struct Timing {
   bool at_start = false;
@@ -32,6 +36,7 @@ Timing timingOf(const nc::Block& block) {
   Timing timing;
   for (const nc::Word& word : block.words) {
     if (word.letter == 'M') (actsAtEnd(word.value) ? timing.at_end : timing.at_start) = true;
+    if (word.letter == 'M' && dependsOnControl(word.value)) timing.at_end = true;
     if (word.letter == 'S' || word.letter == 'T') timing.at_start = true;
   }
   return timing;

@@ -20,8 +20,8 @@ enum class Mode {
 };
 
 struct CompensationOptions {
-  double tolerance = 2e-4;  ///< mm: largest deviation along a block before it is subdivided
-  double angle_tolerance = radFromArcsec(0.2);  ///< rad: the same for the tool axis
+  double tolerance = 1e-4;  ///< mm: largest deviation along a block before it is subdivided
+  double angle_tolerance = radFromArcsec(0.1);  ///< rad: the same for the tool axis
   double largest_correction = 1.0;              ///< mm; beyond it compensation stops with the block's number
   double largest_angle_correction = radFromDeg(1.0);  ///< rad
   bool keep_block_count = false;                      ///< never insert lines

@@ -1,33 +1,26 @@
 #pragma once
 
+#include <optional>
 #include <string>
-#include <vector>
 
-#include "core/nc/block.h"
+#include "core/nc/block_writer.h"
 #include "core/nc/motion.h"
 #include "core/nc/text_source.h"
 
 namespace nineline::compensation {
 
-/// How many digits the words of a program carry, and whether its words stand apart.
-struct NumberStyle {
-  int linear_decimals = 3;
-  int rotary_decimals = 3;
-  bool inch = false;  ///< the program sets inches somewhere
-};
+/// How the corrected words of a program are written: as the program writes its own (nc::learnNumberStyle),
+/// but never coarser than controls resolve: 3 decimals, in inch programs 4.
+[[nodiscard]] Result<nc::NumberStyle> styleOf(nc::TextSource& source, nc::Dialect dialect,
+                                              const nc::AxisLayout& layout);
 
-/// Digits after the point that the axis words of a program use, from its first lines; never fewer than
-/// controls resolve: 3, in inch programs 4.
-[[nodiscard]] Result<NumberStyle> learnNumberStyle(nc::TextSource& source, const nc::AxisLayout& layout);
-
-/// A decimal with at most `decimals` digits after the point, which is always there ("10.", "-0.5"), as every
-/// control reads it alike; nothing where the value is not finite. Appends to `out`.
-[[nodiscard]] bool appendDecimal(double value, int decimals, std::string& out);
-
-/// Changes words of one line; everything else stays byte for byte. Reused from line to line.
+/// Changes the words of a block's own line, or writes a new line beside it; everything else stays byte for
+/// byte.
 class LineEditor {
  public:
-  /// Starts with a block's own line.
+  void setStyle(const nc::NumberStyle& style) { style_ = style; }
+
+  /// Starts with a block's own line; the block must stay as it is until `finish`.
   void begin(const nc::Block& block);
   /// Starts a new line beside a block: empty, but for the block's skip sign.
   void beginNew(const nc::Block& block);
@@ -43,17 +36,12 @@ class LineEditor {
   void finish(std::string& out);
 
  private:
-  struct Change {
-    std::size_t begin, end;
-    std::string text;
-  };
   bool setValue(const nc::Word& word, double value, int decimals);
-  void add(std::string_view address, double value, int decimals);
-  const nc::Block* block_ = nullptr;  // nullptr: a new line
-  bool spaced_ = true;
-  std::vector<Change> changes_;
-  std::string codes_;
-  std::string added_;
+  [[nodiscard]] const nc::Word* find(char letter, std::uint8_t digit) const;
+  nc::NumberStyle style_;
+  nc::Block blank_;  // the block of a new line
+  const nc::Block* block_ = nullptr;
+  std::optional<nc::BlockEditor> editor_;
 };
 
 }  // namespace nineline::compensation

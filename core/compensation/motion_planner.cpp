@@ -45,6 +45,22 @@ MotionPlanner::MotionPlanner(const ErrorModel& model, const ProgramSetup& setup,
                              const CompensationOptions& options)
     : model_(model), machine_(model.machine()), options_(options), solver_(model, options) {
   solver_.conditions() = setup.state;
+  for (int i = 0; i < machine_.jointCount(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (model_.play(i) == 0.0) continue;
+    // What a change of sense moves along the joint's own direction, at this point and so everywhere.
+    errors::MachineState state = setup.state;
+    std::array<double, 2> along{};
+    for (const int side : {0, 1}) {
+      state.approach[k] = side == 0 ? -1 : 1;
+      kinematics::JointDisplacements displacements;
+      model_.displacements(state, {}, displacements);
+      const kinematics::SmallMotion& moved = displacements[k].moved;
+      along[static_cast<std::size_t>(side)] =
+          machine_.joint(i).direction.dot(machine_.isRotary(i) ? moved.rotation : moved.translation);
+    }
+    play_[k] = along[0] - along[1];
+  }
 }
 
 void MotionPlanner::setResolution(double linear, double rotary) {
@@ -132,17 +148,54 @@ Result<void> MotionPlanner::checkLimits(const Node& node, const Motion& motion) 
   return {};
 }
 
+/// Whether a joint with play turns back against its last sense.
+bool MotionPlanner::reverses(const Senses& before) const {
+  for (std::size_t k = 0; k < senses_.size(); ++k) {
+    if (play_[k] != 0.0 && (free_ >> k & 1U) != 0 && before[k] != 0 && senses_[k] != before[k]) return true;
+  }
+  return false;
+}
+
 /// A joint with play that reverses while others move must cross its play first, alone.
 bool MotionPlanner::needsTakeUp(const Motion& motion, const Senses& before) const {
-  bool reverses = false;
   int moving = 0;
   for (int i = 0; i < machine_.jointCount(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (isInPlane(motion, i) || std::abs(motion.end[k] - motion.start[k]) > kStandstill) ++moving;
-    if (model_.play(i) > 0.0 && (free_ >> k & 1U) != 0 && before[k] != 0 && senses_[k] != before[k])
-      reverses = true;
   }
-  return reverses && moving > 1;
+  return moving > 1 && reverses(before);
+}
+
+void MotionPlanner::emit(const Motion& motion, const Node& b, Piece piece, std::vector<Piece>& pieces) {
+  JointPositions q = b.corrected;
+  JointPositions crossing = held_;
+  bool crosses = false;
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    if (play_[k] == 0.0 || !resting_[k] || (free_ >> k & 1U) == 0) continue;
+    q[k] += 0.5 * (now_[k] - senses_[k]) * play_[k];
+    const double travel = q[k] - held_[k];
+    if (now_[k] == 0 && std::abs(travel) > kStandstill) {  // the first motion of all finds the play taken up
+      now_[k] = travel > 0.0 ? 1 : -1;
+      q[k] += 0.5 * now_[k] * play_[k];
+    } else if (travel * now_[k] < 0.0 && std::abs(travel) <= options_.tolerance) {
+      q[k] = held_[k];
+    } else if (travel * now_[k] < 0.0) {
+      now_[k] = static_cast<std::int8_t>(-now_[k]);
+      q[k] += now_[k] * play_[k];
+      crossing[k] += now_[k] * play_[k];
+      crosses = true;
+    }
+  }
+  if (crosses && may_split_ && motion.kind != MotionKind::Rapid) {
+    Piece take_up;
+    take_up.end = valuesOf(machine_, crossing, motion.tool_centre_point);
+    take_up.from = take_up.to = piece.from;
+    take_up.take_up = true;
+    pieces.push_back(take_up);
+  }
+  held_ = q;
+  piece.end = valuesOf(machine_, q, motion.tool_centre_point);
+  pieces.push_back(piece);
 }
 
 Result<void> MotionPlanner::plan(const Motion& motion, unsigned free, const AxisValues& from, bool may_split,
@@ -175,47 +228,51 @@ Result<void> MotionPlanner::plan(const Motion& motion, unsigned free, const Axis
   return {};
 }
 
+Result<MotionPlanner::Node> MotionPlanner::sectionStart(const Motion& motion, double from, bool first,
+                                                        const AxisValues& at, const Senses& before) {
+  if (!first || reverses(before)) return solveAt(motion, from);
+  // The corrected program stands where its last block put it; its rounding is no reason to subdivide.
+  const Result<JointPositions> ideal = jointsOf(machine_, motion.start, motion.tool_centre_point);
+  const Result<JointPositions> corrected = jointsOf(machine_, at, motion.tool_centre_point);
+  if (!ideal) return ideal.error();
+  if (!corrected) return corrected.error();
+  const bool known = last_ && last_->ideal == *ideal;
+  return Node{from, *ideal, known ? last_->corrected : *corrected};
+}
+
 Result<void> MotionPlanner::planSection(const Motion& motion, double from, double to, bool first,
                                         const AxisValues& at, std::vector<Piece>& pieces) {
   const Senses before = senses_;
   updateSenses(motion, from, from + 0.5 * (to - from));
+  now_ = senses_;
   const bool rapid = motion.kind == MotionKind::Rapid;
-  const bool takes_up = needsTakeUp(motion, before);
-  if (takes_up && !may_split_ && !rapid) exceeded_ = true;
-  Node start;
-  start.fraction = from;
-  if (first && !(takes_up && may_split_)) {
-    // The corrected program stands where its last block put it; its rounding is no reason to subdivide.
-    const Result<JointPositions> ideal = jointsOf(machine_, motion.start, motion.tool_centre_point);
-    const Result<JointPositions> corrected = jointsOf(machine_, at, motion.tool_centre_point);
-    if (!ideal) return ideal.error();
-    if (!corrected) return corrected.error();
-    start.ideal = *ideal;
-    start.corrected = last_ && last_->ideal == *ideal ? last_->corrected : *corrected;
-  } else {
-    const Result<Node> solved = solveAt(motion, from);
-    if (!solved) return solved.error();
-    start = *solved;
-    if (takes_up && may_split_ && !rapid) {
-      Piece take_up;
-      take_up.end = valuesOf(machine_, start.corrected, motion.tool_centre_point);
-      take_up.from = take_up.to = from;
-      take_up.take_up = true;
-      pieces.push_back(take_up);
-    }
+  const bool takes_up = needsTakeUp(motion, before) && !rapid;
+  if (takes_up && !may_split_) exceeded_ = true;
+  const Result<Node> start = sectionStart(motion, from, first, at, before);
+  if (!start) return start.error();
+  held_ = start->corrected;
+  if (takes_up && may_split_) {
+    Piece take_up;
+    take_up.end = valuesOf(machine_, start->corrected, motion.tool_centre_point);
+    take_up.from = take_up.to = from;
+    take_up.take_up = true;
+    pieces.push_back(take_up);
   }
   const Result<Node> end = solveAt(motion, to);
   if (!end) return end.error();
-  for (std::size_t k = 0; k < largest_.size(); ++k)
+  for (int i = 0; i < machine_.jointCount(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
     largest_[k] = std::max(largest_[k], std::abs(end->corrected[k] - end->ideal[k]));
-  last_ = *end;
-  if (rapid) {
-    Piece piece;
-    piece.end = valuesOf(machine_, end->corrected, motion.tool_centre_point);
-    pieces.push_back(piece);
-    return {};
+    resting_[k] = !isInPlane(motion, i) && std::abs(end->ideal[k] - start->ideal[k]) <= kStandstill;
   }
-  return refine(motion, start, *end, 0, pieces);
+  if (rapid) {
+    emit(motion, *end, Piece{}, pieces);
+  } else if (Result<void> refined = refine(motion, *start, *end, 0, pieces); !refined) {
+    return refined;
+  }
+  senses_ = now_;
+  last_ = Node{to, end->ideal, held_};
+  return {};
 }
 
 Result<void> MotionPlanner::refine(const Motion& motion, const Node& a, const Node& b, int depth,
@@ -231,7 +288,7 @@ Result<void> MotionPlanner::refine(const Motion& motion, const Node& a, const No
       motion.kind == MotionKind::Arc && std::abs(motion.sweep) * (b.fraction - a.fraction) < kSmallestArc;
   if (*fits || depth >= kDeepest || too_short || !may_split_) {
     exceeded_ = exceeded_ || !*fits;
-    pieces.push_back(piece);
+    emit(motion, b, piece, pieces);
     return {};
   }
   const Result<Node> middle = solveAt(motion, 0.5 * (a.fraction + b.fraction));

@@ -52,11 +52,18 @@ class MotionPlanner {
   [[nodiscard]] Result<void> checkLimits(const Node& node, const nc::Motion& motion) const;
   [[nodiscard]] std::optional<double> advanceAt(const nc::Motion& motion, double fraction) const;
   void updateSenses(const nc::Motion& motion, double from, double to);
+  /// Appends a piece that ends at node b. A joint with play that rests in the ideal motion is moved by its
+  /// correction alone: where that turns back by more than the tolerance, the play is crossed first; where by
+  /// less, it waits.
+  void emit(const nc::Motion& motion, const Node& b, Piece piece, std::vector<Piece>& pieces);
+  [[nodiscard]] bool reverses(const Senses& before) const;
   [[nodiscard]] bool needsTakeUp(const nc::Motion& motion, const Senses& before) const;
   [[nodiscard]] Result<void> refine(const nc::Motion& motion, const Node& a, const Node& b, int depth,
                                     std::vector<Piece>& pieces);
   [[nodiscard]] Result<bool> lineFits(const nc::Motion& motion, const Node& a, const Node& b);
   [[nodiscard]] Result<bool> arcFits(const nc::Motion& motion, const Node& a, const Node& b, Piece& piece);
+  [[nodiscard]] Result<Node> sectionStart(const nc::Motion& motion, double from, bool first,
+                                          const nc::AxisValues& at, const Senses& before);
   [[nodiscard]] Result<void> planSection(const nc::Motion& motion, double from, double to, bool first,
                                          const nc::AxisValues& at, std::vector<Piece>& pieces);
   [[nodiscard]] int innerSamples(const nc::Motion& motion, const Node& a, const Node& b) const;
@@ -70,7 +77,11 @@ class MotionPlanner {
   Senses senses_{};
   JointPositions correction_{};  // of the last point: the next one starts from it
   JointPositions largest_{};
-  std::optional<Node> last_;  // where the last motion ended, before rounding
+  Senses now_{};           // senses in which the corrected commands moved last
+  JointPositions held_{};  // corrected commands at the end of the last piece, before rounding
+  JointPositions play_{};  // signed width of each joint's play: actual − command = −(play/2) · sense
+  std::array<bool, kMaxAxes> resting_{};  // joints that the ideal motion at hand does not move
+  std::optional<Node> last_;              // where the last motion ended, before rounding
   unsigned free_ = 0;
   bool may_split_ = true;
   bool exceeded_ = false;

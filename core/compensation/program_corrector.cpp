@@ -20,6 +20,19 @@ namespace {
 
 constexpr std::size_t kBlocksBetweenReports = 4096;
 
+/// A feed motion of rotary axes alone: F means degrees there, and millimetres as soon as a linear axis joins.
+bool turnsAlone(const Motion& motion, const nc::AxisLayout& layout) {
+  if (motion.kind != MotionKind::Linear || motion.feed_mode != nc::FeedMode::PerMinute) return false;
+  bool turns = false;
+  for (int i = 0; i < layout.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (motion.end[k] == motion.start[k]) continue;
+    if (!layout.axes[k].rotary) return false;
+    turns = true;
+  }
+  return turns && !motion.tool_centre_point;
+}
+
 }  // namespace
 
 ProgramCorrector::ProgramCorrector(const ErrorModel& model, const ProgramSetup& setup,
@@ -37,8 +50,9 @@ ProgramCorrector::ProgramCorrector(const ErrorModel& model, const ProgramSetup& 
       layout_(simulation::axisLayoutOf(machine_)) {}
 
 Result<void> ProgramCorrector::learnStyle() {
-  const Result<NumberStyle> style = learnNumberStyle(source_, layout_);
+  const Result<nc::NumberStyle> style = styleOf(source_, interpreter_.dialect(), layout_);
   if (!style) return style.error();
+  editor_.setStyle(*style);
   double linear_resolution = 0.0;
   double rotary_resolution = 0.0;
   for (int i = 0; i < layout_.count; ++i) {
@@ -172,9 +186,19 @@ AxisMask ProgramCorrector::writableAxes(const ExecutedBlock& executed, const Mot
     }
     free |= assumed;
   }
+  if (turnsAlone(motion, layout_)) {
+    report_.diagnostics.countedWarning(
+        "compensation.turning",
+        "A rotary axis moves alone: its feed is in degrees, so that the linear axes stay where they are.",
+        motion.line);
+    for (int i = 0; i < layout_.count; ++i) {
+      if (!layout_.axes[static_cast<std::size_t>(i)].rotary)
+        free = static_cast<AxisMask>(free & ~nc::axisBit(i));
+    }
+    return free;
+  }
   for (int i = 0; i < layout_.count; ++i) {
-    if (!nc::contains(free, i) && nc::contains(commanded_, i)) continue;
-    if (nc::contains(free, i)) continue;
+    if (nc::contains(free, i) || nc::contains(commanded_, i) || motion.kind == MotionKind::Rapid) continue;
     report_.diagnostics.countedWarning(
         "compensation.unpositioned",
         fmt::format("Axis {} has no stated position yet; it is not corrected before that.",

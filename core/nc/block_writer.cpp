@@ -79,7 +79,8 @@ bool BlockEditor::addText(std::string_view text) {
   if (!edit) return false;
   char* p = edit->text.data();
   const bool at_start = place == 0 || isBlank(block_->text[place - 1]) || block_->text[place - 1] == '/';
-  if (!at_start && isSpaced()) *p++ = ' ';
+  const bool follows = at_start && place == block_->text.size() && count_ > 1;  // on a new line
+  if ((!at_start && isSpaced()) || follows) *p++ = ' ';
   std::memcpy(p, text.data(), text.size());
   p += text.size();
   if (at_start && place < block_->text.size()) *p++ = ' ';

@@ -62,6 +62,7 @@ Result<NumberStyle> learnNumberStyle(TextSource& source, Dialect dialect, const 
   Seen linear, rotary;
   bool whole_with_point = false;
   bool any_point = false;
+  NumberStyle style;
   Block block;
   const std::uint64_t end = std::min(source.size(), most_bytes);
   for (std::uint64_t offset = 0; offset < end;) {
@@ -72,6 +73,8 @@ Result<NumberStyle> learnNumberStyle(TextSource& source, Dialect dialect, const 
     ++block.line;
     if (!readPlainWords(block, dialect)) continue;
     for (const Word& word : block.words) {
+      style.inch =
+          style.inch || (word.letter == 'G' && word.value == (dialect == Dialect::Siemens ? 70.0 : 20.0));
       const int axis = axes.find({word.letter, word.digit});
       if (axis < 0) continue;
       Seen& seen = axes.axes[static_cast<std::size_t>(axis)].rotary ? rotary : linear;
@@ -82,7 +85,6 @@ Result<NumberStyle> learnNumberStyle(TextSource& source, Dialect dialect, const 
       whole_with_point = whole_with_point || (word.decimal_point && word.decimals == 0);
     }
   }
-  NumberStyle style;
   const auto decimalsOf = [](const Seen& seen, int otherwise) {
     return seen.any && seen.most > 0 ? std::min(seen.most, kMostDecimals) : otherwise;
   };

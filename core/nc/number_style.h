@@ -18,6 +18,7 @@ struct NumberStyle {
   int rotary_decimals = 3;      ///< the same for rotary axes
   bool keep_point = true;       ///< whole numbers end in a point: `X10.`
   bool trailing_zeros = false;  ///< every number has all its decimals: `X10.000`
+  bool inch = false;            ///< the program sets inches somewhere (G20, G70)
 };
 
 /// Learns the style from the plain axis words of the first `most_bytes` of a program. Without any decimal
