@@ -95,6 +95,42 @@
             <source>Position of the fixed bearing</source>
             <translation>固定轴承位置</translation>
         </message>
+        <message>
+            <source>B2-K3032 thread grinder</source>
+            <translation>B2-K3032 螺纹磨床</translation>
+        </message>
+        <message>
+            <source>B2-K3032 thread grinder (worked example)</source>
+            <translation>B2-K3032 螺纹磨床（示例）</translation>
+        </message>
+        <message>
+            <source>Three-axis mill, X and Y under the table, Z in the head</source>
+            <translation>三轴铣床，X、Y 在工作台，Z 在主轴头</translation>
+        </message>
+        <message>
+            <source>Five-axis mill with a trunnion table A, C</source>
+            <translation>五轴铣床，A、C 摇篮转台</translation>
+        </message>
+        <message>
+            <source>Five-axis mill with a fork head C, B</source>
+            <translation>五轴铣床，C、B 双摆头</translation>
+        </message>
+        <message>
+            <source>Five-axis mill with a table C and a swivel head B</source>
+            <translation>五轴铣床，C 转台与 B 摆头</translation>
+        </message>
+        <message>
+            <source>Seven-axis five-linkage propeller machine</source>
+            <translation>七轴五联动螺旋桨加工机床</translation>
+        </message>
+        <message>
+            <source>Rotary table C</source>
+            <translation>C 回转工作台</translation>
+        </message>
+        <message>
+            <source>Linear stage X</source>
+            <translation>X 直线轴</translation>
+        </message>
     </context>
     <context>
         <name>messages</name>
@@ -209,6 +245,42 @@
         <message>
             <source>%1 (%2 times)</source>
             <translation>%1（共 %2 次）</translation>
+        </message>
+        <message>
+            <source>The axes cannot reach a pose that the program asks for.</source>
+            <translation>各轴无法到达程序要求的位姿。</translation>
+        </message>
+        <message>
+            <source>Outside the range of an error table its end value is used.</source>
+            <translation>超出误差表范围时使用其端点值。</translation>
+        </message>
+        <message>
+            <source>An axis is not corrected before the program has stated its position.</source>
+            <translation>在程序给出某轴位置之前，该轴不作补偿。</translation>
+        </message>
+        <message>
+            <source>The control's cutter compensation acts on the corrected path.</source>
+            <translation>数控系统的刀具半径补偿作用于补偿后的路径。</translation>
+        </message>
+        <message>
+            <source>A canned cycle is not corrected inside.</source>
+            <translation>固定循环内部不作补偿。</translation>
+        </message>
+        <message>
+            <source>Somewhere the path stays outside the tolerance.</source>
+            <translation>部分路径仍超出公差。</translation>
+        </message>
+        <message>
+            <source>Some errors cannot be corrected by the axes that may move.</source>
+            <translation>部分误差无法由可运动的轴补偿。</translation>
+        </message>
+        <message>
+            <source>A code that moves nothing was passed through.</source>
+            <translation>不引起运动的代码原样保留。</translation>
+        </message>
+        <message>
+            <source>A value that the program does not state was assumed.</source>
+            <translation>程序未给出的值采用了假定值。</translation>
         </message>
     </context>
     <context>

@@ -84,6 +84,32 @@ QString positionUnitOf(const Machine& machine, int joint) {
   return machine.isRotary(joint) ? QStringLiteral("°") : QStringLiteral("mm");
 }
 
+QString machineName(const Machine& machine) {
+  struct Name {
+    const char* id;
+    const char* text;
+  };
+  static constexpr std::array kNames = {
+      Name{"b2-k3032", QT_TRANSLATE_NOOP("components", "B2-K3032 thread grinder")},
+      Name{"b2-k3032-example", QT_TRANSLATE_NOOP("components", "B2-K3032 thread grinder (worked example)")},
+      Name{"generic-3axis",
+           QT_TRANSLATE_NOOP("components", "Three-axis mill, X and Y under the table, Z in the head")},
+      Name{"trunnion-ac", QT_TRANSLATE_NOOP("components", "Five-axis mill with a trunnion table A, C")},
+      Name{"head-head-bc", QT_TRANSLATE_NOOP("components", "Five-axis mill with a fork head C, B")},
+      Name{"table-head-bc",
+           QT_TRANSLATE_NOOP("components", "Five-axis mill with a table C and a swivel head B")},
+      Name{"propeller-c2zxc1b1",
+           QT_TRANSLATE_NOOP("components", "Seven-axis five-linkage propeller machine")},
+      Name{"rotary-table", QT_TRANSLATE_NOOP("components", "Rotary table C")},
+      Name{"linear-stage", QT_TRANSLATE_NOOP("components", "Linear stage X")},
+  };
+  for (const Name& name : kNames) {
+    // A changed machine that kept the id has its own name.
+    if (machine.id() == name.id && machine.name() == name.text) return translated(name.text);
+  }
+  return QString::fromStdString(machine.name());
+}
+
 QString effectName(const std::string& id) {
   struct Name {
     const char* id;

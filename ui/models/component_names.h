@@ -19,6 +19,8 @@ namespace nineline::models {
 [[nodiscard]] QString unitOf(const errors::Component& component);
 /// "mm" or "°".
 [[nodiscard]] QString positionUnitOf(const kinematics::Machine& machine, int joint);
+/// The machine's name; built-in machines have one in the user's language.
+[[nodiscard]] QString machineName(const kinematics::Machine& machine);
 /// Plain words for an effect's id: "Scale error", "Backlash"….
 [[nodiscard]] QString effectName(const std::string& id);
 /// Plain words for an effect's parameter.

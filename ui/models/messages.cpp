@@ -42,6 +42,11 @@ constexpr std::array kSentences = {
              QT_TRANSLATE_NOOP("messages", "The model needs a temperature or condition that is not given.")},
     Sentence{"simulation.",
              QT_TRANSLATE_NOOP("messages", "The program cannot be simulated on this machine.")},
+    Sentence{"travel", QT_TRANSLATE_NOOP("messages", "A command lies outside the travel of an axis.")},
+    Sentence{"kinematics.",
+             QT_TRANSLATE_NOOP("messages", "The axes cannot reach a pose that the program asks for.")},
+    Sentence{"state.missing",
+             QT_TRANSLATE_NOOP("messages", "The model needs a temperature or condition that is not given.")},
     Sentence{"compensation.limit", QT_TRANSLATE_NOOP("messages", "A correction is larger than its limit.")},
     Sentence{"compensation.", QT_TRANSLATE_NOOP("messages", "The program cannot be compensated.")},
     Sentence{"thread.", QT_TRANSLATE_NOOP("messages", "A thread parameter needs attention.")},
@@ -53,14 +58,36 @@ constexpr std::array kSentences = {
     Sentence{"document.", QT_TRANSLATE_NOOP("messages", "The project file cannot be used.")},
 };
 
-const char* sourceOf(const std::string& code) {
-  for (const Sentence& sentence : kSentences) {
+/// Sentences for warnings; others show core's text alone.
+constexpr std::array kWarnings = {
+    Sentence{"table.outside",
+             QT_TRANSLATE_NOOP("messages", "Outside the range of an error table its end value is used.")},
+    Sentence{"compensation.unpositioned",
+             QT_TRANSLATE_NOOP("messages",
+                               "An axis is not corrected before the program has stated its position.")},
+    Sentence{"compensation.start",
+             QT_TRANSLATE_NOOP("messages",
+                               "An axis is not corrected before the program has stated its position.")},
+    Sentence{"compensation.cutter",
+             QT_TRANSLATE_NOOP("messages", "The control's cutter compensation acts on the corrected path.")},
+    Sentence{"compensation.cycle", QT_TRANSLATE_NOOP("messages", "A canned cycle is not corrected inside.")},
+    Sentence{"compensation.tolerance",
+             QT_TRANSLATE_NOOP("messages", "Somewhere the path stays outside the tolerance.")},
+    Sentence{"compensation.remains",
+             QT_TRANSLATE_NOOP("messages", "Some errors cannot be corrected by the axes that may move.")},
+    Sentence{"thread.", QT_TRANSLATE_NOOP("messages", "A thread parameter needs attention.")},
+    Sentence{"nc.PassedCode", QT_TRANSLATE_NOOP("messages", "A code that moves nothing was passed through.")},
+    Sentence{"nc.Assumed",
+             QT_TRANSLATE_NOOP("messages", "A value that the program does not state was assumed.")},
+};
+
+template <typename Sentences>
+const char* find(const Sentences& sentences, const std::string& code) {
+  for (const Sentence& sentence : sentences) {
     if (code.starts_with(sentence.prefix)) return sentence.text;
   }
   return nullptr;
 }
-
-QString sourceFor(const std::string& code) { return QString::fromUtf8(sourceOf(code)); }
 
 QString place(std::size_t line, std::size_t column) {
   if (line == 0) return {};
@@ -80,7 +107,7 @@ QString message(const std::string& code, const std::string& text, std::size_t li
 }  // namespace
 
 QString sentenceFor(const std::string& code) {
-  const char* source = sourceOf(code);
+  const char* source = find(kSentences, code);
   return source == nullptr ? QString() : QCoreApplication::translate("messages", source);
 }
 
@@ -92,10 +119,12 @@ QString messageOf(const Diagnostic& diagnostic) {
   if (diagnostic.count > 1) {
     message = QCoreApplication::translate("messages", "%1 (%2 times)").arg(detail).arg(diagnostic.count);
   }
-  const QString sentence = sentenceFor(diagnostic.code);
+  const char* source = diagnostic.severity == Severity::Error ? find(kSentences, diagnostic.code)
+                                                              : find(kWarnings, diagnostic.code);
+  if (source == nullptr) return message;
+  const QString sentence = QCoreApplication::translate("messages", source);
   // In English the detail says it all.
-  const bool english = sentence.isEmpty() || sentence == sourceFor(diagnostic.code);
-  return english ? message : sentence + QLatin1Char('\n') + message;
+  return sentence == QString::fromUtf8(source) ? message : sentence + QLatin1Char('\n') + message;
 }
 
 }  // namespace nineline::models

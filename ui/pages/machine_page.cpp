@@ -12,6 +12,7 @@
 
 #include "core/base/file.h"
 #include "core/kinematics/machine_file.h"
+#include "ui/models/component_names.h"
 #include "ui/models/effect_entries.h"
 #include "ui/pages/axis_panel.h"
 #include "ui/pages/camera_buttons.h"
@@ -24,7 +25,7 @@ namespace nineline::pages {
 namespace {
 
 constexpr int kTypingDelay_ms = 400;
-constexpr int kChooserWidth = 260;
+constexpr int kChooserWidth = 280;
 constexpr int kEditorWidth = 340;
 
 }  // namespace
@@ -63,6 +64,8 @@ QWidget* MachinePage::makeChooser() {
   list_->setTextElideMode(Qt::ElideNone);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setSpacing(2);
+  list_->setResizeMode(QListView::Adjust);
+  list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   connect(list_, &QListWidget::itemClicked, this,
           [this](const QListWidgetItem* item) { chooseBuiltIn(item->data(Qt::UserRole).toString()); });
   connect(list_, &QListWidget::itemActivated, this,
@@ -117,7 +120,7 @@ void MachinePage::fillList() {
       axes += QString::fromStdString(joint.axis.text()) + QLatin1Char(' ');
     }
     auto* item = new QListWidgetItem(
-        QStringLiteral("%1\n%2").arg(QString::fromStdString(machine.name()), tr("Axes %1").arg(axes)), list_);
+        QStringLiteral("%1\n%2").arg(models::machineName(machine), tr("Axes %1").arg(axes)), list_);
     item->setData(Qt::UserRole, QString::fromStdString(machine.id()));
   }
 }
@@ -166,7 +169,7 @@ void MachinePage::refresh() {
   messages_->setFine(tr("The machine file is right."));
   view_->setMachine(&*machine);
   axes_->setMachine(*machine);
-  current_->setText(QString::fromStdString(machine->name()));
+  current_->setText(models::machineName(*machine));
   list_->setCurrentRow(-1);
   for (int row = 0; row < list_->count(); ++row) {
     const bool same = list_->item(row)->data(Qt::UserRole).toString().toStdString() == machine->id();

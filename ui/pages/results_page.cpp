@@ -43,7 +43,7 @@ ResultsPage::ResultsPage(Context context, QWidget* parent)
   right->addWidget(curves_);
   right->addWidget(makeFigures());
   right->setStretchFactor(0, 1);
-  right->setSizes({330, 250});
+  right->setSizes({300, 290});
   splitter->addWidget(right);
   splitter->setStretchFactor(0, 1);
   splitter->setSizes({600, 650});
@@ -69,7 +69,7 @@ QWidget* ResultsPage::makeFigures() {
   table->setObjectName(QStringLiteral("summaryTable"));
   table->setModel(summary_);
   table->verticalHeader()->hide();
-  table->verticalHeader()->setDefaultSectionSize(26);
+  table->verticalHeader()->setDefaultSectionSize(25);
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   table->setWordWrap(false);

@@ -129,7 +129,9 @@ void MachineScene::addJoint(int index, const Vector3d& at, double size) {
     addPart(slide->GetOutputPort(), index, turnedFrom(Vector3d::UnitX(), d, at), colour);
   }
   const bool rotary = joint.type == kinematics::JointType::Rotary;
-  const Vector3d over = rotary || at.isZero() ? Vector3d::Zero() : Vector3d(-at.normalized() * 0.32 * size);
+  const bool parallel = std::abs(up_.dot(d)) > kParallel;
+  const Vector3d aside = parallel ? d.unitOrthogonal() : (up_ - d * up_.dot(d)).normalized();
+  const Vector3d over = rotary ? Vector3d::Zero() : Vector3d(aside * 0.32 * size);
   addArrow(index, at + over + d * (rotary ? 0.15 : 0.35) * size, d, (rotary ? 1.1 : 0.9) * size);
 }
 
@@ -183,6 +185,7 @@ void MachineScene::setMachine(const Machine& machine) {
   scale_ = scaleOf(machine);
   const bool turning = isTurning(machine);
   const Vector3d down = turning ? Vector3d(0.0, -1.0, 0.0) : Vector3d(-machine.toolAxis());
+  up_ = -down;
   const Vector3d outward = turning ? Vector3d(1.0, 0.0, 0.0) : machine.toolAxis();
   const int work = machine.workpieceJointCount();
   addChain(0, work, down);

@@ -50,6 +50,7 @@ class MachineScene {
   std::vector<Label> labels_;
   std::vector<kinematics::Machine> machine_;  // one or none
   double scale_ = 100.0;
+  Eigen::Vector3d up_ = Eigen::Vector3d::UnitZ();
 };
 
 }  // namespace nineline::scene

@@ -49,6 +49,7 @@ CellTable::CellTable(QWidget* parent) : QTableView(parent) {
 }
 
 void CellTable::keyPressEvent(QKeyEvent* event) {
+  if (state() == QAbstractItemView::EditingState) return QTableView::keyPressEvent(event);
   if (event->matches(QKeySequence::Paste)) {
     emit pasted(QApplication::clipboard()->text(), std::max(currentIndex().row(), 0));
     return;

@@ -13,8 +13,8 @@ namespace nineline::widgets {
 
 namespace {
 
-constexpr int kUnitWidth = 56;
-constexpr int kEditorWidth = 90;
+constexpr int kUnitWidth = 64;
+constexpr int kEditorWidth = 84;
 
 void showChoice(QComboBox* box, const Json& value) {
   const QSignalBlocker blocker(box);

@@ -1,5 +1,6 @@
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -119,8 +120,10 @@ class TestWindow : public QObject {
     table->setCurrentIndex(cell);
     table->setFocus();
     QTest::keyClick(table, '7');
-    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral(",5"));
-    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    auto* editor = table->viewport()->findChild<QLineEdit*>();
+    QVERIFY(editor != nullptr);
+    QTest::keyClicks(editor, QStringLiteral(",5"));
+    QTest::keyClick(editor, Qt::Key_Return);
     QTRY_COMPARE(table->currentIndex().row(), 1);
     QCOMPARE(table->model()->index(0, 1).data().toString(), QStringLiteral("7.5"));
     QCOMPARE(window_->workspace().state(Step::Results), StepState::Stale);
