@@ -88,7 +88,6 @@ Result<void> ProgramCorrector::correctMotion(const ExecutedBlock& executed, cons
   if (drops_take_up) pieces_.erase(pieces_.begin());
   if (planner_.exceeded() || drops_take_up) warnExceeded(block.line);
   writable_ = planner_.freeAxes();
-  log_.add(pieces_);
 
   // The block's own line carries the first real piece, or the last one where an M code must wait for the end.
   std::size_t own = pieces_.size() - 1;
@@ -99,17 +98,26 @@ Result<void> ProgramCorrector::correctMotion(const ExecutedBlock& executed, cons
   line_.clear();
   changed_ = false;
   own_line_follows_ = own > 0;
+  written_.clear();
+  const std::string_view line_end = block.line_end.empty() ? std::string_view("\n") : block.line_end;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    Piece& piece = pieces_[i];
+    if (i != 0 && !piece.take_up && !written_.empty()) piece.from = written_.back().to;
     if (i == own) {
-      writeOwnLine(executed, motion, pieces_[i]);
-    } else {
-      writeInsertedLine(executed, motion, pieces_[i], i < own);
+      writeOwnLine(executed, motion, piece);
+    } else if (writeInsertedLine(executed, motion, piece, i < own)) {
       ++report_.inserted;
+    } else {
+      continue;  // shorter than the words resolve
     }
-    // Only the last line of a file may lack its end.
-    line_ += block.line_end.empty() && i + 1 < pieces_.size() ? std::string_view("\n") : block.line_end;
+    written_.push_back(piece);
+    line_ += line_end;
   }
-  if (changed_ || pieces_.size() > 1) ++report_.corrected;
+  written_.back().to = pieces_.back().to;
+  // Only the last line of a file may lack its end.
+  if (block.line_end.empty()) line_.pop_back();
+  log_.add(written_);
+  if (changed_ || written_.size() > 1) ++report_.corrected;
   return assembler_.put(block.line, line_);
 }
 
@@ -137,9 +145,11 @@ void ProgramCorrector::writeOwnLine(const ExecutedBlock& executed, const Motion&
   editor_.finish(line_);
 }
 
-void ProgramCorrector::writeInsertedLine(const ExecutedBlock& executed, const Motion& motion,
+bool ProgramCorrector::writeInsertedLine(const ExecutedBlock& executed, const Motion& motion,
                                          const Piece& piece, bool before_own) {
   const nc::Block& block = *executed.block;
+  const AxisValues from = emitted_.position();
+  const int modal = active_code_;
   editor_.beginNew(block);
   const int code = codeOf(executed, motion, piece);
   const bool code_on_own_line = before_own && statesMotionCode(block, executed.motion_code);
@@ -147,6 +157,10 @@ void ProgramCorrector::writeInsertedLine(const ExecutedBlock& executed, const Mo
   active_code_ = code;
   writeAxisWords(motion, piece, piece.take_up ? AxisMask{0} : executed.has_word, executed.centre_absolute,
                  false);
+  if (emitted_.position() == from && !piece.arc) {
+    active_code_ = modal;
+    return false;
+  }
   const nc::Word* feed = block.find('F');
   const bool inverse = motion.feed_mode == nc::FeedMode::InverseTime;
   if (feed != nullptr && (inverse || (before_own && !piece.take_up))) {
@@ -154,6 +168,7 @@ void ProgramCorrector::writeInsertedLine(const ExecutedBlock& executed, const Mo
     editor_.setWord('F', feed->value / share, kFeedDecimals);
   }
   editor_.finish(line_);
+  return true;
 }
 
 void ProgramCorrector::writeAxisWords(const Motion& motion, const Piece& piece, AxisMask named,

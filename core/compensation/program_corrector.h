@@ -57,8 +57,9 @@ class ProgramCorrector {
   [[nodiscard]] int codeOf(const nc::ExecutedBlock& executed, const nc::Motion& motion,
                            const Piece& piece) const;
   void writeOwnLine(const nc::ExecutedBlock& executed, const nc::Motion& motion, const Piece& piece);
-  void writeInsertedLine(const nc::ExecutedBlock& executed, const nc::Motion& motion, const Piece& piece,
-                         bool before_own);
+  /// False where the words resolve no motion: nothing is written then.
+  [[nodiscard]] bool writeInsertedLine(const nc::ExecutedBlock& executed, const nc::Motion& motion,
+                                       const Piece& piece, bool before_own);
   void writeAxisWords(const nc::Motion& motion, const Piece& piece, nc::AxisMask named, bool centre_absolute,
                       bool by_radius);
   void writeCentre(const nc::Motion& motion, const Piece& piece, const nc::AxisValues& from,
@@ -83,6 +84,7 @@ class ProgramCorrector {
   std::array<int, kMaxAxes> decimals_{};
   LineEditor editor_;
   std::vector<Piece> pieces_;
+  std::vector<Piece> written_;  // those of them that the words resolve
   std::vector<EmittedPosition::Word> words_;
   std::string line_;
   nc::WordFrame frame_;            // of the block at hand, with the corrected program's offsets
