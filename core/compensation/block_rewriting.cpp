@@ -23,9 +23,9 @@ bool actsAtEnd(double code) {
   return std::find(kCodes.begin(), kCodes.end(), code) != kCodes.end();
 }
 
-/// Spindle and coolant off: Fanuc's act at the end, LinuxCNC's before the motion. Such a block stays one
-/// block.
-bool dependsOnControl(double code) { return code == 5.0 || code == 9.0; }
+/// Spindle off acts at the end on some controls and before the motion on others (LinuxCNC): such a block
+/// stays one block. Coolant off acts with the start of the motion, as LinuxCNC and Fanuc's default have it.
+bool dependsOnControl(double code) { return code == 5.0; }
 
 struct Timing {
   bool at_start = false;
