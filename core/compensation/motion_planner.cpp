@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kStandstill = 1e-12;
 constexpr int kDeepest = 14;                           // a block becomes 2^14 pieces at most
-constexpr double kRotaryFeature = 15.0 * kPi / 180.0;  // errors turn with a rotary joint: theory.md, 1.8
-constexpr double kSmallestArc = kPi / 180.0;
+constexpr double kRotaryFeature = radFromDeg(15.0);  // errors turn with a rotary joint: theory.md, 1.8
+constexpr double kSmallestArc = radFromDeg(1.0);
 constexpr int kMostInner = 32;
 
 AxisValues between(const AxisValues& a, const AxisValues& b, double u) {
