@@ -19,7 +19,7 @@ using simulation::valuesOf;
 namespace {
 
 constexpr double kStandstill = 1e-12;
-constexpr int kDeepest = 14;                           // a block becomes 2^14 pieces at most
+constexpr int kDeepest = 14;                         // a block becomes 2^14 pieces at most
 constexpr double kRotaryFeature = radFromDeg(15.0);  // errors turn with a rotary joint: theory.md, 1.8
 constexpr double kSmallestArc = radFromDeg(1.0);
 constexpr int kMostInner = 32;
