@@ -14,15 +14,6 @@ constexpr double kSpacingTolerance = 1e-6;  // of the spacing
 constexpr double kLargest_um = 1000.0;      // larger ones are units mixed up more often than errors
 constexpr double kLargest_arcsec = 2100.0;
 
-constexpr int kShownDigits = 7;
-
-/// As typed, but not longer than a cell.
-QString shownCell(const Json& cell) {
-  const QString typed = typedFromCell(cell);
-  if (cell.number() == nullptr || typed.size() <= kShownDigits + 2) return typed;
-  return QString::number(*cell.number(), 'g', kShownDigits);
-}
-
 }  // namespace
 
 ErrorTableModel::ErrorTableModel(QObject* parent) : QAbstractTableModel(parent) {}
@@ -165,7 +156,7 @@ QVariant ErrorTableModel::data(const QModelIndex& index, int role) const {
   const QString wrong = fault(values_[row]);
   switch (role) {
     case Qt::DisplayRole:
-      return shownCell(values_[row]);
+      return shownFromCell(values_[row]);
     case Qt::EditRole:
       return typedFromCell(values_[row]);
     case Qt::ToolTipRole:

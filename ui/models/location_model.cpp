@@ -37,6 +37,7 @@ QVariant LocationModel::data(const QModelIndex& index, int role) const {
   const bool bad = !values_[row].isNull() && values_[row].number() == nullptr;
   switch (role) {
     case Qt::DisplayRole:
+      return shownFromCell(values_[row]);
     case Qt::EditRole:
       return typedFromCell(values_[row]);
     case Qt::TextAlignmentRole:

@@ -8,6 +8,8 @@ namespace nineline::models {
 
 namespace {
 
+constexpr int kShownDigits = 7;
+
 /// What parts the columns of these lines; a null character where each line is one cell.
 QChar separatorOf(const QStringList& lines) {
   for (const QChar candidate : {QLatin1Char('\t'), QLatin1Char(';')}) {
@@ -47,6 +49,12 @@ QString typedFromCell(const Json& cell) {
   if (const double* number = cell.number()) return QString::fromStdString(shortest(*number));
   if (const std::string* text = cell.string()) return QString::fromStdString(*text);
   return {};
+}
+
+QString shownFromCell(const Json& cell) {
+  const QString typed = typedFromCell(cell);
+  if (cell.number() == nullptr || typed.size() <= kShownDigits + 2) return typed;
+  return QString::number(*cell.number(), 'g', kShownDigits);
 }
 
 std::vector<QStringList> cellsOf(const QString& text) {

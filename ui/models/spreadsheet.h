@@ -16,6 +16,8 @@ namespace nineline::models {
 [[nodiscard]] Json cellFromTyped(const QString& text);
 /// How a cell is shown.
 [[nodiscard]] QString typedFromCell(const Json& cell);
+/// The same with at most seven digits: what fits into a cell that is not being edited.
+[[nodiscard]] QString shownFromCell(const Json& cell);
 
 /// Cells of a spreadsheet's clipboard or of a CSV file, row by row. Columns are parted by tab; without a tab
 /// by semicolon; without either by comma, where a comma followed by blank or standing between points parts,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/compensation/compensation.h"
 
@@ -76,8 +77,8 @@ QString SummaryModel::value(const Row& row, int column) const {
       return shownFigure(row.after.max, row.angular);
     case Reduction:
       if (row.before.rms < kNanometre * kThousandth) return QStringLiteral("–");
-      return QStringLiteral("%1 %").arg(compensation::reductionPercent(row.before.rms, row.after.rms), 0, 'f',
-                                        1);
+      return QStringLiteral("%1 %").arg(
+          QString::fromStdString(fixed(compensation::reductionPercent(row.before.rms, row.after.rms), 1)));
     default:
       return {};
   }

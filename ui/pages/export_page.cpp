@@ -49,6 +49,8 @@ ExportPage::ExportPage(Context context, QWidget* parent)
   table_->setModel(model_);
   table_->setItemDelegate(new DifferenceDelegate(table_));
   QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+  // The application's font may name families of its own, which would win.
+  fixed.setFamilies({fixed.family(), QStringLiteral("DejaVu Sans Mono"), QStringLiteral("monospace")});
   fixed.setPointSizeF(10.0);
   table_->setFont(fixed);
   table_->setShowGrid(false);

@@ -10,6 +10,10 @@
 
 namespace nineline::pages {
 
+namespace {
+constexpr int kValueWidth = 150;
+}
+
 LocationEditor::LocationEditor(QWidget* parent) : QWidget(parent), model_(new models::LocationModel(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 0, 0, 0);
@@ -26,6 +30,7 @@ LocationEditor::LocationEditor(QWidget* parent) : QWidget(parent), model_(new mo
   table->setModel(model_);
   table->horizontalHeader()->setStretchLastSection(false);
   table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  table->setColumnWidth(1, kValueWidth);
   table->verticalHeader()->hide();
   layout->addWidget(table, 1);
   connect(model_, &models::LocationModel::valueEdited, this,

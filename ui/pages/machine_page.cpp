@@ -9,8 +9,10 @@
 #include <QTabWidget>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/base/file.h"
+#include "core/kinematics/built_in_machine_texts.h"
 #include "core/kinematics/machine_file.h"
 #include "ui/models/component_names.h"
 #include "ui/models/effect_entries.h"
@@ -126,11 +128,14 @@ void MachinePage::fillList() {
 }
 
 void MachinePage::chooseBuiltIn(const QString& id) {
-  const kinematics::Machine* machine = kinematics::findBuiltInMachine(id.toStdString());
-  if (machine == nullptr) return;
+  const auto& machines = kinematics::builtInMachines();
+  const auto found = std::find_if(machines.begin(), machines.end(), [&id](const kinematics::Machine& one) {
+    return one.id() == id.toStdString();
+  });
+  if (found == machines.end()) return;
   models::Document next = document();
-  next.machine_text = writeJson(kinematics::machineToJson(*machine));
-  next.effects = models::effectsFor(*machine, next.effects);
+  next.machine_text = kinematics::builtInMachineTexts()[static_cast<std::size_t>(found - machines.begin())];
+  next.effects = models::effectsFor(*found, next.effects);
   edit(tr("Choose machine"), std::move(next));
 }
 

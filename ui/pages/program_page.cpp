@@ -25,7 +25,7 @@ namespace nineline::pages {
 namespace {
 
 constexpr qint64 kLargestProgram = 64 * 1024 * 1024;
-constexpr int kMessageHeight = 84;
+constexpr int kMessageHeight = 100;
 
 /// "thread.pitch" belongs to the key that begins so: "pitch_mm".
 std::map<std::string, QString> faultsByKey(const std::vector<widgets::Field>& fields,

@@ -23,7 +23,7 @@ using kinematics::Machine;
 
 constexpr Colour kWorkSide{0.45, 0.62, 0.78};
 constexpr Colour kToolSide{0.93, 0.68, 0.38};
-constexpr Colour kBed{0.62, 0.65, 0.68};
+constexpr Colour kBed{0.80, 0.82, 0.84};
 constexpr Colour kWorkpiece{0.78, 0.80, 0.83};
 constexpr Colour kTool{0.55, 0.35, 0.20};
 constexpr double kSmallest = 60.0;  // mm
@@ -205,7 +205,7 @@ void MachineScene::setMachine(const Machine& machine) {
   addPart(bed->GetOutputPort(), -1,
           turnedFrom(Vector3d::UnitZ(), -down,
                      centre + down * (0.55 * scale_ * (static_cast<double>(work) + 1.0))),
-          kBed, 0.45);
+          kBed);
   setPosition({});
   if (first) setCamera(CameraPreset::Isometric);
   renderer_->ResetCamera();

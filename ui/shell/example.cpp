@@ -3,6 +3,7 @@
 #include <QFile>
 
 #include "core/errors/error_model_file.h"
+#include "core/kinematics/built_in_machine_texts.h"
 #include "core/kinematics/machine_file.h"
 #include "core/thread_grinding/thread_generator.h"
 
@@ -22,7 +23,7 @@ Result<std::string> resource(const QString& path) {
 
 models::Document emptyProject() {
   models::Document document;
-  document.machine_text = writeJson(kinematics::machineToJson(kinematics::builtInMachines().front()));
+  document.machine_text = std::string(kinematics::builtInMachineTexts().front());
   const Result<std::string> thread = resource(QStringLiteral(":/examples/published-thread.json"));
   if (thread) {
     if (const Result<Json> json = parseJson(*thread, "example")) document.thread = *json;
@@ -36,7 +37,12 @@ Result<models::Document> workedExample() {
   const Result<errors::ErrorModel> model = errors::readErrorModel(*model_text, "example");
   if (!model) return model.error();
   models::Document document = emptyProject();
-  document.machine_text = writeJson(kinematics::machineToJson(model->machine()));
+  // The file's own text, where it holds the machine: its numbers stay as they were written.
+  const Result<Json> file = parseJson(*model_text, "example");
+  if (!file) return file.error();
+  const Json* machine = file->find("machine");
+  const bool whole = machine != nullptr && machine->members() != nullptr;
+  document.machine_text = writeJson(whole ? *machine : kinematics::machineToJson(model->machine()));
   document.effects = *errors::errorModelToJson(*model).find("effects");
   const auto job = thread_grinding::parseThreadJob(writeJson(document.thread), "example");
   if (!job) return job.error();

@@ -1,10 +1,26 @@
 #include "ui/shell/language.h"
 
-#include <QCoreApplication>
+#include <QApplication>
+#include <QFont>
 #include <QLibraryInfo>
 #include <QLocale>
 
 namespace nineline::shell {
+
+namespace {
+
+/// A font whose own letters are Chinese has the height that Chinese lines need.
+void useFont(bool chinese) {
+  static const QFont kUsual = QApplication::font();
+  QFont font = kUsual;
+  if (chinese) {
+    font.setFamilies({QStringLiteral("Noto Sans CJK SC"), QStringLiteral("Microsoft YaHei"),
+                      QStringLiteral("PingFang SC"), kUsual.family()});
+  }
+  if (QApplication::font() != font) QApplication::setFont(font);
+}
+
+}  // namespace
 
 std::vector<Language::Choice> Language::choices() {
   return {{QStringLiteral("en"), QStringLiteral("English")},
@@ -15,6 +31,7 @@ void Language::use(const QString& code) {
   const bool chinese = code.isEmpty() ? QLocale::system().language() == QLocale::Chinese
                                       : code.startsWith(QLatin1String("zh"));
   current_ = chinese ? QStringLiteral("zh_CN") : QStringLiteral("en");
+  useFont(chinese);
   QCoreApplication::removeTranslator(&own_);
   QCoreApplication::removeTranslator(&qt_);
   if (!chinese) return;

@@ -50,7 +50,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::rebuild() {
-  menuBar()->clear();
+  setMenuBar(new QMenuBar(this));  // an old one keeps the font of the language before
   buildMenus();
   delete takeCentralWidget();
   buildPages();

@@ -3,7 +3,9 @@
 #include <QApplication>
 #include <QDir>
 #include <QPixmap>
+#include <QTabWidget>
 #include <QTimer>
+#include <QTreeView>
 
 #include "ui/shell/main_window.h"
 
@@ -13,6 +15,31 @@ namespace {
 
 constexpr int kSettle_ms = 700;
 
+void save(MainWindow* window, const QString& folder, const QString& name) {
+  QApplication::processEvents();
+  window->grab().save(QStringLiteral("%1/page-%2.png").arg(folder, name), "PNG");
+}
+
+/// The tabs behind the first one, and the other editors of the measurements.
+void shootHidden(MainWindow* window, const QString& folder, const QString& name) {
+  for (QTabWidget* tabs : window->findChildren<QTabWidget*>()) {
+    if (!tabs->isVisible()) continue;
+    tabs->setCurrentIndex(1);
+    save(window, folder, name + QStringLiteral("-tab"));
+    tabs->setCurrentIndex(0);
+  }
+  auto* tree = window->findChild<QTreeView*>(QStringLiteral("componentTree"));
+  if (tree == nullptr || !tree->isVisible()) return;
+  const QModelIndex before = tree->currentIndex();
+  const QAbstractItemModel* model = tree->model();
+  tree->setCurrentIndex(model->index(model->rowCount() - 1, 0));
+  save(window, folder, name + QStringLiteral("-effects"));
+  const QModelIndex axis = model->index(1, 0);
+  tree->setCurrentIndex(model->index(model->rowCount(axis) - 1, 0, axis));
+  save(window, folder, name + QStringLiteral("-location"));
+  tree->setCurrentIndex(before);
+}
+
 void shoot(MainWindow* window, const QString& folder, int step) {
   if (step == models::kStepCount) {
     QApplication::exit(0);
@@ -20,7 +47,8 @@ void shoot(MainWindow* window, const QString& folder, int step) {
   }
   window->goTo(static_cast<models::Step>(step));
   QTimer::singleShot(kSettle_ms, window, [window, folder, step]() {
-    window->grab().save(QStringLiteral("%1/page-%2.png").arg(folder).arg(step + 1), "PNG");
+    save(window, folder, QString::number(step + 1));
+    shootHidden(window, folder, QString::number(step + 1));
     shoot(window, folder, step + 1);
   });
 }

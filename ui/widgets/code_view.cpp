@@ -28,6 +28,8 @@ class NumberArea final : public QWidget {
 
 CodeView::CodeView(QWidget* parent) : QPlainTextEdit(parent), numbers_(new NumberArea(this)) {
   QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+  // The application's font may name families of its own, which would win.
+  fixed.setFamilies({fixed.family(), QStringLiteral("DejaVu Sans Mono"), QStringLiteral("monospace")});
   fixed.setPointSizeF(10.5);
   setFont(fixed);
   setObjectName(QStringLiteral("codeView"));

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kUnitWidth = 64;
 constexpr int kEditorWidth = 84;
+constexpr int kChoiceLength = 8;  // characters; longer choices are cut, never the form
 
 void showChoice(QComboBox* box, const Json& value) {
   const QSignalBlocker blocker(box);
@@ -85,6 +86,8 @@ QWidget* ParameterForm::makeEditor(const Field& field) {
     }
     case Field::Kind::Choices: {
       auto* box = new QComboBox(this);
+      box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+      box->setMinimumContentsLength(kChoiceLength);
       for (const Choice& choice : field.choices) {
         box->addItem(choice.label, QString::fromStdString(choice.value));
       }
