@@ -42,7 +42,13 @@ Timing timingOf(const nc::Block& block) {
   return timing;
 }
 
-constexpr int kFeedDecimals = 6;
+/// The fewest decimals that state a feed to six.
+int feedDecimals(double feed) {
+  constexpr int kMost = 6;
+  int decimals = 0;
+  while (decimals < kMost && roundTo(feed, decimals) != roundTo(feed, kMost)) ++decimals;
+  return decimals;
+}
 
 /// I J K belong to X Y Z and to the axes parallel to them.
 char centreAddress(char axis) {
@@ -139,8 +145,10 @@ void ProgramCorrector::writeOwnLine(const ExecutedBlock& executed, const Motion&
   writeAxisWords(motion, piece, executed.has_word, executed.centre_absolute, block.find('R') != nullptr);
   if (motion.feed_mode == nc::FeedMode::InverseTime && pieces_.size() > 1) {
     const nc::Word* feed = block.find('F');
-    if (feed != nullptr && !piece.take_up)
-      editor_.setWord('F', feed->value / (piece.to - piece.from), kFeedDecimals);
+    if (feed != nullptr && !piece.take_up) {
+      const double value = feed->value / (piece.to - piece.from);
+      editor_.setWord('F', value, feedDecimals(value));
+    }
   }
   editor_.finish(line_);
 }
@@ -165,7 +173,8 @@ bool ProgramCorrector::writeInsertedLine(const ExecutedBlock& executed, const Mo
   const bool inverse = motion.feed_mode == nc::FeedMode::InverseTime;
   if (feed != nullptr && (inverse || (before_own && !piece.take_up))) {
     const double share = inverse && !piece.take_up ? piece.to - piece.from : 1.0;
-    editor_.setWord('F', feed->value / share, kFeedDecimals);
+    const double value = feed->value / share;
+    editor_.setWord('F', value, feedDecimals(value));
   }
   editor_.finish(line_);
   return true;
