@@ -64,7 +64,11 @@ bool isTurning(const Machine& machine) {
 
 }  // namespace
 
-MachineScene::MachineScene() : renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+MachineScene::MachineScene()
+    : renderer_(vtkSmartPointer<vtkRenderer>::New()), overlay_(vtkSmartPointer<vtkRenderer>::New()) {
+  overlay_->SetLayer(1);
+  overlay_->InteractiveOff();
+  overlay_->SetActiveCamera(renderer_->GetActiveCamera());
   renderer_->SetBackground(1.0, 1.0, 1.0);
   renderer_->SetBackground2(0.86, 0.89, 0.92);
   renderer_->GradientBackgroundOn();
@@ -72,6 +76,7 @@ MachineScene::MachineScene() : renderer_(vtkSmartPointer<vtkRenderer>::New()) {
 
 void MachineScene::clear() {
   renderer_->RemoveAllViewProps();
+  overlay_->RemoveAllViewProps();
   parts_.clear();
   labels_.clear();
   machine_.clear();
@@ -99,6 +104,8 @@ void MachineScene::addArrow(int joint, const Vector3d& at, const Vector3d& direc
   Isometry3d T = turnedFrom(Vector3d::UnitX(), direction, at);
   addPart(arrow->GetOutputPort(), joint, T, kInk);
   parts_.back().actor->SetScale(length);
+  renderer_->RemoveActor(parts_.back().actor);
+  overlay_->AddActor(parts_.back().actor);
   Label label{vtkSmartPointer<vtkBillboardTextActor3D>::New(), joint, at + direction * length * 1.12};
   label.actor->SetInput(machine_.front().joint(joint).axis.text().c_str());
   label.actor->GetTextProperty()->SetFontSize(24);
@@ -106,7 +113,7 @@ void MachineScene::addArrow(int joint, const Vector3d& at, const Vector3d& direc
   label.actor->GetTextProperty()->SetColor(kInk[0], kInk[1], kInk[2]);
   label.actor->GetTextProperty()->SetJustificationToCentered();
   label.actor->GetTextProperty()->SetVerticalJustificationToCentered();
-  renderer_->AddActor(label.actor);
+  overlay_->AddActor(label.actor);
   labels_.push_back(label);
 }
 
@@ -131,7 +138,9 @@ void MachineScene::addJoint(int index, const Vector3d& at, double size) {
   const bool rotary = joint.type == kinematics::JointType::Rotary;
   const bool parallel = std::abs(up_.dot(d)) > kParallel;
   const Vector3d aside = parallel ? d.unitOrthogonal() : (up_ - d * up_.dot(d)).normalized();
-  const Vector3d over = rotary ? Vector3d::Zero() : Vector3d(aside * 0.32 * size);
+  // Out of the body, and out of what stands on it where the arrow runs along the stack.
+  const double out = parallel ? 0.55 : (rotary ? 0.0 : 0.32);
+  const Vector3d over = aside * out * size;
   addArrow(index, at + over + d * (rotary ? 0.15 : 0.35) * size, d, (rotary ? 1.1 : 0.9) * size);
 }
 
@@ -179,7 +188,8 @@ void MachineScene::addTool(const Vector3d& outward) {
 }
 
 void MachineScene::setMachine(const Machine& machine) {
-  const bool first = machine_.empty();
+  const bool known = !machine_.empty();
+  const Vector3d up_before = up_;
   clear();
   machine_.push_back(machine);
   scale_ = scaleOf(machine);
@@ -189,7 +199,7 @@ void MachineScene::setMachine(const Machine& machine) {
   const Vector3d outward = turning ? Vector3d(1.0, 0.0, 0.0) : machine.toolAxis();
   const int work = machine.workpieceJointCount();
   addChain(0, work, down);
-  addChain(work, machine.jointCount() - work, outward * 1.6);
+  addChain(work, machine.jointCount() - work, outward * (turning ? 1.6 : 1.9));
   if (work > 0) addWorkpiece(turning);
   addTool(outward);
   Vector3d centre = Vector3d::Zero();
@@ -207,7 +217,7 @@ void MachineScene::setMachine(const Machine& machine) {
                      centre + down * (0.55 * scale_ * (static_cast<double>(work) + 1.0))),
           kBed);
   setPosition({});
-  if (first) setCamera(CameraPreset::Isometric);
+  if (!known || !up_.isApprox(up_before)) setCamera(CameraPreset::Isometric);
   renderer_->ResetCamera();
 }
 

@@ -20,6 +20,8 @@ class MachineScene {
  public:
   MachineScene();
   [[nodiscard]] vtkRenderer* renderer() const { return renderer_; }
+  /// Arrows and letters, drawn over the bodies; a layer above `renderer`.
+  [[nodiscard]] vtkRenderer* overlay() const { return overlay_; }
   void setMachine(const kinematics::Machine& machine);
   void setPosition(const kinematics::JointPositions& q);
   void clear();
@@ -46,6 +48,7 @@ class MachineScene {
                double opacity = 1.0);
 
   vtkSmartPointer<vtkRenderer> renderer_;
+  vtkSmartPointer<vtkRenderer> overlay_;
   std::vector<Part> parts_;
   std::vector<Label> labels_;
   std::vector<kinematics::Machine> machine_;  // one or none

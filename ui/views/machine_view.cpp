@@ -7,6 +7,7 @@ namespace nineline::views {
 MachineView::MachineView(QWidget* parent)
     : SceneView(parent), scene_(std::make_unique<scene::MachineScene>()) {
   addRenderer(scene_->renderer());
+  addOverlay(scene_->overlay());
 }
 
 MachineView::~MachineView() = default;

@@ -33,6 +33,11 @@ void SceneView::addRenderer(vtkRenderer* renderer) {
   widget_->interactor()->SetInteractorStyle(style);
 }
 
+void SceneView::addOverlay(vtkRenderer* renderer) {
+  widget_->renderWindow()->SetNumberOfLayers(2);
+  widget_->renderWindow()->AddRenderer(renderer);
+}
+
 bool SceneView::isValid() const { return widget_->isValid(); }
 
 QImage SceneView::picture() const { return widget_->grabFramebuffer(); }

@@ -27,6 +27,7 @@ class SceneView : public QWidget {
 
  protected:
   void addRenderer(vtkRenderer* renderer);
+  void addOverlay(vtkRenderer* renderer);
   [[nodiscard]] QVTKOpenGLNativeWidget* window3d() const { return widget_; }
   bool eventFilter(QObject* watched, QEvent* event) override;
 

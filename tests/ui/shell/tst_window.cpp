@@ -151,6 +151,52 @@ class TestWindow : public QObject {
     QCOMPARE(child<QPushButton>(*compensatePage(), "primary")->text(), QStringLiteral("Start compensation"));
   }
 
+  void everyBuiltInMachineIsDrawn() {
+    window_->goTo(Step::Machine);
+    auto* list = child<QListWidget>(*window_, "machineList");
+    QCOMPARE(list->count(), 8);
+    for (int row = 0; row < list->count(); ++row) {
+      emit list->itemClicked(list->item(row));
+      QTest::qWait(30);
+      QVERIFY(window_->workspace().machine().has_value());
+      for (const views::SceneView* view : window_->findChildren<views::SceneView*>()) {
+        if (view->isVisible()) QVERIFY(differentColours(view->picture()) > 20);
+      }
+      window_->edits().stack().undo();
+    }
+    QCOMPARE(window_->workspace().state(Step::Results), StepState::Ready);
+  }
+
+  void aBadMachineFileKeepsItsText() {
+    models::Document next = window_->workspace().document();
+    next.machine_text = "{\"format\": 3}";
+    window_->edits().apply(QStringLiteral("type"), next);
+    QCOMPARE(window_->workspace().state(Step::Machine), StepState::Faulty);
+    QVERIFY(!window_->workspace().explanation(Step::Machine).isEmpty());
+    window_->edits().stack().undo();
+    QCOMPARE(window_->workspace().state(Step::Machine), StepState::Ready);
+  }
+
+  void theThreadFormGeneratesAndExplains() {
+    window_->goTo(Step::Program);
+    auto* pitch = child<QLineEdit>(*window_, "pitch_mm");
+    const auto type = [pitch](const char* text) {
+      pitch->clear();
+      QTest::keyClicks(pitch, QString::fromLatin1(text));
+      QTest::keyClick(pitch, Qt::Key_Return);
+    };
+    type("0");
+    QVERIFY(pitch->property("bad").toBool());
+    QVERIFY(!pitch->toolTip().isEmpty());
+    type("2,0");
+    QVERIFY(!pitch->property("bad").toBool());
+    QTest::mouseClick(child<QPushButton>(*window_, "generateThread"), Qt::LeftButton);
+    QVERIFY(window_->workspace().document().program->find("48 X 2") != std::string::npos);
+    for (int step = 0; step < 3; ++step) window_->edits().stack().undo();
+    QCOMPARE(pitch->text(), QStringLiteral("1.5"));
+    QCOMPARE(window_->workspace().state(Step::Results), StepState::Ready);
+  }
+
   void aProjectComesBack() {
     const QString path = folder_.filePath(QStringLiteral("example.nineline"));
     shell::ProjectStore store;
