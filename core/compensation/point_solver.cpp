@@ -22,6 +22,17 @@ constexpr double kSmallTurn = 1e-10;  // rad
 constexpr double kLargestStep = 5.0;  // mm, theory.md 1.6
 constexpr double kLargestTurn = 0.1;  // rad
 
+/// Near a singular pose a rotary joint would have to turn this much more than the tool tilts: there the tool
+/// keeps its tilt, a few arc seconds, and the tip alone is corrected.
+constexpr double kMostTurnGain = 20.0;
+
+unsigned linearJoints(const Machine& machine, unsigned of) {
+  for (int i = 0; i < machine.jointCount(); ++i) {
+    if (machine.isRotary(i)) of &= ~(1U << static_cast<unsigned>(i));
+  }
+  return of;
+}
+
 struct StepSize {
   double linear = 0.0;
   double rotary = 0.0;
@@ -107,12 +118,20 @@ Result<JointPositions> PointSolver::solve(const Request& request, const JointPos
   const ToolPose wanted = forwardWithJacobian(machine, request.ideal, jacobian);
   PoseTarget::Rotation rotation = simulation::solvableRotation(machine, request.free);
   if (mode_ != Mode::Auto && rotation == PoseTarget::Rotation::Axis) rotation = PoseTarget::Rotation::None;
-  const PoseTarget target = simulation::targetOf(wanted, rotation);
+  PoseTarget target = simulation::targetOf(wanted, rotation);
   kinematics::StepOptions step_options;
   step_options.free = request.free;
   std::optional<kinematics::StepSolver> solver;
   if (mode_ != Mode::Thread) solver.emplace(machine, jacobian, target, step_options);
+  if (solver && rotation == PoseTarget::Rotation::Axis && solver->turnGain() > kMostTurnGain) {
+    target.rotation = PoseTarget::Rotation::None;
+    step_options.free = linearJoints(machine, request.free);
+    solver.emplace(machine, jacobian, target, step_options);
+  }
   JointPositions q = guess;
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    if ((step_options.free >> k & 1U) == 0) q[k] = request.ideal[k];
+  }
   PoseResidual left = PoseResidual::Zero();
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     // The ideal Jacobian differs from the actual one by the slopes of the errors, 1e-4 to 1e-2: each step

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 
 namespace nineline::kinematics {
@@ -80,7 +81,11 @@ StepSolver::StepSolver(const Machine& machine, const PoseJacobian& jacobian, con
     invertBySingularValues(A, options.weakest, inverse_);
   }
   inverse_.rightCols<3>() *= tip_only ? 0.0 : options.rotation_length;
-  for (int c = 0; c < count_; ++c) inverse_.row(c) *= scale[static_cast<std::size_t>(c)];
+  for (int c = 0; c < count_; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    inverse_.row(c) *= scale[k];
+    if (machine.isRotary(joints_[k])) turn_gain_ = std::max(turn_gain_, inverse_.row(c).tail<3>().norm());
+  }
 }
 
 JointPositions StepSolver::step(const PoseResidual& residual) const {

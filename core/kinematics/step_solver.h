@@ -12,8 +12,12 @@ class StepSolver {
   StepSolver(const Machine& machine, const PoseJacobian& jacobian, const PoseTarget& target,
              const StepOptions& options);
   [[nodiscard]] JointPositions step(const PoseResidual& residual) const;
+  /// The largest turn of a rotary joint that a rotation of the tool by 1 rad asks for; large near a singular
+  /// pose.
+  [[nodiscard]] double turnGain() const { return turn_gain_; }
 
  private:
+  double turn_gain_ = 0.0;
   int count_ = 0;                       // joints that move
   std::array<int, kMaxAxes> joints_{};  // their indices
   Eigen::Matrix<double, Eigen::Dynamic, 6, 0, kMaxAxes, 6>
