@@ -24,7 +24,7 @@ bool actsAtEnd(double code) {
 }
 
 /// Spindle off acts at the end on some controls and before the motion on others (LinuxCNC): such a block
-/// stays one block. Coolant off acts with the start of the motion, as LinuxCNC and Fanuc's default have it.
+/// stays one block. Coolant off is taken as LinuxCNC takes it, with the start.
 bool dependsOnControl(double code) { return code == 5.0; }
 
 struct Timing {

@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::size_t kBlocksBetweenReports = 4096;
 
-/// A feed motion of rotary axes alone. On LinuxCNC F means degrees there, and millimetres as soon as a linear
-/// axis joins, however little it moves; other controls count millimetres and degrees alike.
+/// A feed motion of rotary axes alone: F means degrees there, and the linear path as soon as a linear axis
+/// joins, however little it moves, so that the rotary axis would turn at any speed.
 bool turnsAlone(const Motion& motion, const nc::AxisLayout& layout) {
   if (motion.kind != MotionKind::Linear || motion.feed_mode != nc::FeedMode::PerMinute) return false;
   bool turns = false;
@@ -187,7 +187,7 @@ AxisMask ProgramCorrector::writableAxes(const ExecutedBlock& executed, const Mot
     }
     free |= assumed;
   }
-  if (interpreter_.dialect() == nc::Dialect::LinuxCnc && turnsAlone(motion, layout_)) {
+  if (turnsAlone(motion, layout_)) {
     report_.diagnostics.countedWarning(
         "compensation.turning",
         "A rotary axis moves alone: its feed is in degrees, so that the linear axes stay where they are.",

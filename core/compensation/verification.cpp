@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/base/units.h"
 #include "core/simulation/command_path.h"
 #include "core/simulation/joint_errors.h"
 
@@ -46,19 +45,11 @@ class MotionStream {
   std::size_t index_ = 0;
 };
 
-/// The same F word: a rotary motion that a correction gave a linear part counts it in millimetres (or
-/// inches).
-bool sameFeed(double a, double b) {
-  const double degrees = degFromRad(a);
-  const auto near = [b](double feed) { return std::abs(feed - b) <= 1e-9 * std::abs(b); };
-  return a == b || near(degrees) || near(mmFromInch(degrees));
-}
-
 bool sameMeaning(const Motion& a, const Motion& b, bool whole) {
   const bool same_kind = a.kind == b.kind || (!whole && b.kind != MotionKind::Arc);
   const bool same_feed =
       a.feed_mode == b.feed_mode &&
-      (sameFeed(a.feed, b.feed) || a.feed_mode == nc::FeedMode::InverseTime || b.kind == MotionKind::Rapid);
+      (a.feed == b.feed || a.feed_mode == nc::FeedMode::InverseTime || b.kind == MotionKind::Rapid);
   return same_kind && same_feed && a.role == b.role && a.spindle_speed == b.spindle_speed &&
          a.tool_centre_point == b.tool_centre_point && a.cutter_compensation == b.cutter_compensation;
 }
