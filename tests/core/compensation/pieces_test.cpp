@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/errors/error_model_file.h"
 #include "tests/core/compensation/correction.h"
 
 namespace nineline::compensation {
@@ -127,6 +128,26 @@ TEST(CorrectedBlocks, CarryCodesWhereTheyAct) {
   ASSERT_GT(starts.size(), 3U);
   for (std::size_t i = 1; i < starts.size(); ++i)
     EXPECT_EQ(starts[i].find("S900 M3") != std::string::npos, i == 1) << starts[i];
+}
+
+/// With a linear word of a micrometre beside it, F would count that micrometre and C would turn at any speed.
+TEST(CorrectedBlocks, TurnARotaryAxisAloneWithoutLinearWords) {
+  const std::string example = NINELINE_SOURCE_DIR "/resources/examples/b2-k3032-model.json";
+  const auto model = errors::loadErrorModel(example);
+  ASSERT_TRUE(model) << model.error().message();
+  const CompensatedText result =
+      needed(*model, "G21 G90 G94\nG0 X50. Z10. C0.\nG1 X40. F200\nC90. F500\nX41.\n");
+  const std::vector<std::string> lines = linesOf(result.text);
+  bool turning = false;
+  for (const std::string& line : lines) {
+    if (line.find("F500") != std::string::npos) turning = true;
+    if (turning && line[0] != 'C') break;
+    if (turning) {
+      EXPECT_EQ(line.find_first_of("XZ"), std::string::npos) << line;
+    }
+  }
+  EXPECT_TRUE(turning);
+  EXPECT_TRUE(hasWarning(result.report, "compensation.turning"));
 }
 
 /// A line before the one that says G91 would be read as absolute.
