@@ -53,6 +53,10 @@ class Effect {
   [[nodiscard]] Slot slot() const { return slot_; }
   [[nodiscard]] const Provenance& provenance() const { return provenance_; }
   void setProvenance(Provenance provenance) { provenance_ = std::move(provenance); }
+  /// Whether compensation counts with it: what the process causes (a wheel's wear) only when the user says
+  /// so.
+  [[nodiscard]] bool isActive() const { return active_; }
+  void setActive(bool active) { active_ = active; }
 
   /// Adds the motion at this state: mm, rad, in the frame of `slot`.
   virtual void addMotion(const MachineState& state, std::span<const double> memory,
@@ -64,6 +68,12 @@ class Effect {
   [[nodiscard]] virtual std::size_t memorySize() const { return 0; }
   virtual void start(const MachineState&, std::span<double>) const {}
   virtual void advance(const MachineState& /*from*/, const MachineState& /*to*/, std::span<double>) const {}
+  /// The same between two samples of a measurement, where only the time between them is known: play is taken
+  /// up in the sense that the second state names; what follows the time (a thermal lag) follows it.
+  virtual void advanceSampled(const MachineState& /*from*/, const MachineState& to,
+                              std::span<double> memory) const {
+    start(to, memory);
+  }
 
   /// Names of the conditions without which the motion is not known ("temp_screw_Z_C", "pass_1").
   [[nodiscard]] virtual std::vector<std::string> needs() const { return {}; }
@@ -89,6 +99,7 @@ class Effect {
   Component component_;
   Slot slot_;
   Provenance provenance_;
+  bool active_ = true;
 };
 
 using EffectPtr = std::shared_ptr<const Effect>;

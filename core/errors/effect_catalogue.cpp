@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <array>
 
-#include "core/errors/parametric_effects.h"
+#include "core/base/units.h"
+#include "core/errors/effect_factory.h"
+#include "core/errors/effect_makers.h"
 #include "core/errors/table_effects.h"
 
 namespace nineline::errors {
@@ -15,171 +16,156 @@ namespace {
 
 using kinematics::Machine;
 
-constexpr double kLargestError_um = 1000.0;
-constexpr double kLargestError_arcsec = 2063.0;  // 0.01 rad
-constexpr double kLargestRatio_um_m = 10000.0;
-constexpr double kLargestGrowth_um_m_C = 1000.0;
-
-/// What a parameter measures; with the component and the joint this decides its unit.
-enum class Quantity {
-  Error,     ///< of the component: um or arcsec
-  Position,  ///< of the joint: mm or deg
-  Phase,     ///< deg
-  Ratio,     ///< um/m
-  Growth     ///< um/m/C
-};
-
-/// A parameter of a known effect, and the value taken where the file says nothing (absent: must be stated).
-struct ParameterRule {
-  std::string_view name;
-  Quantity quantity;
-  std::optional<double> otherwise;
-};
-
-struct EffectRule {
-  std::string_view id;
-  std::vector<ParameterRule> parameters;
-  std::shared_ptr<Effect> (*make)(const Machine&, int, Component, std::vector<Parameter>, JsonReader&);
-};
-
-std::string sensorOf(JsonReader& reader, const Machine& machine, int joint) {
-  const std::string standard = "temp_screw_" + machine.joint(joint).axis.text() + "_C";
-  std::string sensor = reader.stringOr("sensor", "");
-  if (const Json* parameters = reader.json().find("parameters"); sensor.empty() && parameters != nullptr) {
-    if (const Json* value = parameters->find("sensor")) {
-      if (value->string() != nullptr) sensor = *value->string();
-      const Json* inner = value->find("value");
-      if (inner != nullptr && inner->string() != nullptr) sensor = *inner->string();
-    }
+/// "nut" means temp_nut_C; a name that ends in a unit of contract.md stands as it is.
+std::string columnOf(std::string name) {
+  for (const std::string_view ending : {"_1", "_kg", "_s", "_mm_min", "_um", "_mm", "_deg"}) {
+    if (name.ends_with(ending)) return name;
   }
-  if (sensor.empty()) return standard;
-  if (!sensor.starts_with("temp_")) sensor = "temp_" + sensor;
-  return sensor.ends_with("_C") ? sensor : sensor + "_C";
+  if (!name.starts_with("temp_")) name = "temp_" + name;
+  return name.ends_with("_C") ? name : name + "_C";
 }
 
-template <typename T>
-std::shared_ptr<Effect> makeEffect(const Machine& machine, int joint, Component component,
-                                   std::vector<Parameter> parameters, JsonReader&) {
-  return std::make_shared<T>(machine, joint, component, std::move(parameters));
+/// A text that stands beside the parameters or among them, bare or as {"value": …}.
+std::string textOf(JsonReader& reader, std::string_view key) {
+  std::string text = reader.stringOr(key, "");
+  const Json* parameters = reader.json().find("parameters");
+  const Json* value = parameters != nullptr ? parameters->find(key) : nullptr;
+  if (!text.empty() || value == nullptr) return text;
+  if (value->string() != nullptr) return *value->string();
+  const Json* inner = value->find("value");
+  return inner != nullptr && inner->string() != nullptr ? *inner->string() : text;
 }
 
-std::shared_ptr<Effect> makeThermalScrew(const Machine& machine, int joint, Component component,
-                                         std::vector<Parameter> parameters, JsonReader& reader) {
-  return std::make_shared<ThermalScrewEffect>(machine, joint, component, std::move(parameters),
-                                              sensorOf(reader, machine, joint));
-}
-
-const std::vector<EffectRule>& rules() {
-  static const std::vector<EffectRule> kRules = {
-      {"scale", {{"k", Quantity::Ratio, {}}}, &makeEffect<ScaleEffect>},
-      {"cyclic",
-       {{"amplitude", Quantity::Error, {}},
-        {"period", Quantity::Position, {}},
-        {"phase", Quantity::Phase, 0.0}},
-       &makeEffect<CyclicEffect>},
-      {"backlash", {{"width", Quantity::Error, {}}}, &makeEffect<BacklashEffect>},
-      {"thermal_screw",
-       {{"k", Quantity::Growth, {}}, {"q_fixed", Quantity::Position, 0.0}},
-       &makeThermalScrew},
-  };
-  return kRules;
-}
-
-const char* unitOf(Quantity quantity, bool angular, bool rotary) {
-  switch (quantity) {
-    case Quantity::Error:
-      return angular ? "arcsec" : "um";
-    case Quantity::Position:
-      return rotary ? "deg" : "mm";
-    case Quantity::Phase:
-      return "deg";
-    case Quantity::Ratio:
-      return "um/m";
-    case Quantity::Growth:
-      break;
+std::string standardSensor(const EffectSpec& spec, const AxisId& axis) {
+  std::string name(spec.standard_sensor);
+  if (const std::size_t place = name.find("{}"); place != std::string::npos) {
+    name.replace(place, 2, axis.text());
   }
-  return "um/m/C";
+  return name;
 }
 
-/// Beyond this a value is a mistake of the unit (theory.md, 3.5).
-double limitOf(std::string_view unit) {
-  if (unit == "um") return kLargestError_um;
-  if (unit == "arcsec") return kLargestError_arcsec;
-  if (unit == "um/m") return kLargestRatio_um_m;
-  if (unit == "um/m/C") return kLargestGrowth_um_m_C;
-  return std::numeric_limits<double>::infinity();
+/// Shapes may be called by name.
+const double* shapeNamed(const Json& json) {
+  static constexpr std::array<std::pair<std::string_view, double>, 5> kShapes{
+      {{"linear", 1.0}, {"bow", 2.0}, {"s", 3.0}, {"S", 3.0}, {"S-shape", 3.0}}};
+  const std::string* name = json.string();
+  const auto found = std::find_if(kShapes.begin(), kShapes.end(),
+                                  [&](const auto& one) { return name != nullptr && one.first == *name; });
+  return found == kShapes.end() ? nullptr : &found->second;
 }
 
-void checkParameter(JsonReader& reader, std::string_view key, const Parameter& parameter) {
-  if (std::abs(parameter.value) >= limitOf(parameter.unit)) {
-    reader.fail(key, "model.size",
-                fmt::format("parameter '{}' is {:.6g} {}, larger than any machine's (limit {}).",
-                            parameter.name, parameter.value, parameter.unit, limitOf(parameter.unit)));
+/// "um/m2" for "um/m²".
+bool isSameUnit(std::string stated, std::string_view unit) {
+  if (const std::size_t place = unit.find("²"); place != std::string_view::npos) {
+    const std::size_t two = std::string_view("²").size();
+    if (stated == std::string(unit.substr(0, place)) + "2" + std::string(unit.substr(place + two)))
+      return true;
   }
-  if (parameter.name == "period" && parameter.value <= 0.0) {
-    reader.fail(key, "model.period",
-                fmt::format("the period is {}, expected a number above 0.", parameter.value));
-  }
-  if (parameter.sigma && *parameter.sigma < 0.0) {
-    reader.fail("sigma", "model.sigma", fmt::format("'sigma' is {}, expected 0 or more.", *parameter.sigma));
-  }
+  return stated == unit;
 }
 
 /// `all`: the entry's member "parameters". A parameter is a number or an object with value, sigma and unit.
-Result<Parameter> readParameter(JsonReader& all, const ParameterRule& rule, std::string unit) {
-  Parameter parameter{std::string(rule.name), std::move(unit), rule.otherwise.value_or(0.0), std::nullopt};
-  const Json* json = all.json().find(rule.name);
-  if (json == nullptr) {
-    if (rule.otherwise) return parameter;
-    all.fail(rule.name, "model.parameter",
-             fmt::format("'{}' is missing, expected a number in {}.", rule.name, parameter.unit));
-    return all.error();
-  }
-  if (json->members() == nullptr) {
-    parameter.value = all.number(rule.name);
-    if (!all.failed()) checkParameter(all, rule.name, parameter);
-    if (all.failed()) return all.error();
-    return parameter;
-  }
-  JsonReader inner(*json, all.source(), fmt::format("parameter '{}'", rule.name));
-  parameter.value = inner.number("value");
-  if (inner.has("sigma")) parameter.sigma = inner.number("sigma");
-  const std::string stated = inner.stringOr("unit", parameter.unit);
-  if (!inner.failed() && stated != parameter.unit) {
+Result<Parameter> readParameter(JsonReader& all, const ParameterSpec& rule, std::string unit) {
+  Parameter parameter{std::string(rule.name), std::move(unit), 0.0, std::nullopt};
+  const Json& json = *all.json().find(rule.name);
+  JsonReader inner(json, all.source(), fmt::format("parameter '{}'", rule.name));
+  const bool bare = json.members() == nullptr;
+  const Json* value = bare ? &json : json.find("value");
+  const double* named = rule.name == "shape" && value != nullptr ? shapeNamed(*value) : nullptr;
+  JsonReader& reader = bare ? all : inner;
+  const std::string_view key = bare ? rule.name : std::string_view("value");
+  parameter.value = named != nullptr ? *named : reader.number(key);
+  if (!bare && inner.has("sigma")) parameter.sigma = inner.number("sigma");
+  const std::string stated = bare ? parameter.unit : inner.stringOr("unit", parameter.unit);
+  if (!reader.failed() && !isSameUnit(stated, parameter.unit)) {
     inner.fail("unit", "model.unit", fmt::format("the unit is '{}', expected '{}'.", stated, parameter.unit));
   }
-  if (!inner.failed()) checkParameter(inner, "value", parameter);
-  if (inner.failed()) return inner.error();
+  if (!reader.failed()) {
+    if (const std::string fault = faultOf(rule, parameter); !fault.empty()) {
+      const bool of_sigma = fault.starts_with("'sigma'");
+      reader.fail(of_sigma ? std::string_view("sigma") : key,
+                  of_sigma ? "model.sigma" : (rule.name == "period" ? "model.period" : "model.size"), fault);
+    }
+  }
+  if (reader.failed()) return reader.error();
   return parameter;
 }
 
-Result<std::shared_ptr<Effect>> readParametric(JsonReader& reader, const EffectRule& rule,
-                                               const Machine& machine, int joint, Component component) {
-  static const Json kNone = Json::object();
+Result<std::vector<Parameter>> readParameters(JsonReader& reader, const EffectSpec& spec,
+                                              const Machine& machine, const Placement& placement) {
   const Json* given = reader.json().find("parameters");
-  JsonReader all(given != nullptr ? *given : kNone, reader.source(),
-                 fmt::format("parameters of '{}'", rule.id));
   if (given == nullptr) {
     reader.fail("parameters", "json.missing", "'parameters' is missing, expected an object.");
     return reader.error();
   }
+  JsonReader all(*given, reader.source(), fmt::format("parameters of '{}'", spec.id));
   if (all.failed()) return all.error();
-  const bool rotary = machine.isRotary(joint);
   std::vector<Parameter> parameters;
-  for (const ParameterRule& one : rule.parameters) {
-    const bool per_length = one.quantity == Quantity::Ratio || one.quantity == Quantity::Growth;
-    if (per_length && component.isAngular() != rotary) {
-      reader.fail("component", "model.component",
-                  fmt::format("'{}' in um/m has no meaning for {} of a {} axis.", rule.id, component.text(),
-                              rotary ? "rotary" : "linear"));
-      return reader.error();
+  for (const ParameterSpec& rule : spec.parameters) {
+    std::string unit(
+        unitOf(rule.quantity, placement.component.isAngular(), machine.isRotary(placement.joint)));
+    if (!all.has(rule.name)) {
+      if (rule.otherwise || rule.optional) continue;
+      all.fail(rule.name, "model.parameter",
+               fmt::format("'{}' is missing, expected a number in {}.", rule.name, unit));
+      return all.error();
     }
-    Result<Parameter> parameter =
-        readParameter(all, one, unitOf(one.quantity, component.isAngular(), rotary));
+    Result<Parameter> parameter = readParameter(all, rule, std::move(unit));
     if (!parameter) return parameter.error();
     parameters.push_back(std::move(*parameter));
   }
-  return rule.make(machine, joint, component, std::move(parameters), reader);
+  return parameters;
+}
+
+Placement readPlacement(JsonReader& reader, const EffectSpec& spec, const Machine& machine, int joint,
+                        const Component& component) {
+  Placement placement{.joint = joint, .component = component};
+  const bool rotary = machine.isRotary(joint);
+  if (spec.sensors > 0) {
+    const std::string sensor = textOf(reader, "sensor");
+    const std::string second = textOf(reader, "sensor_2");
+    placement.sensor = sensor.empty() ? standardSensor(spec, component.axis) : columnOf(sensor);
+    if (!second.empty()) placement.sensor_2 = columnOf(second);
+  }
+  const std::string frame = reader.stringOr("frame", "moved");
+  if (frame != "moved" && frame != "fixed") {
+    reader.fail("frame", "model.frame", fmt::format("'frame' is '{}', expected 'moved' or 'fixed'.", frame));
+  }
+  placement.fixed_frame = frame == "fixed";
+  const char* range_key = rotary ? "range_deg" : "range_mm";
+  if (reader.has(range_key)) {
+    const std::vector<double> range = reader.numbers(range_key, 2);
+    if (!reader.failed()) {
+      placement.range = rotary ? kinematics::Travel{radFromDeg(range[0]), radFromDeg(range[1])}
+                               : kinematics::Travel{range[0], range[1]};
+    }
+  }
+  if (const std::string along = reader.stringOr("along", ""); !along.empty()) {
+    const std::optional<AxisId> axis = parseAxisId(along);
+    placement.along = axis ? machine.find(*axis) : -1;
+    if (placement.along < 0) {
+      reader.fail("along", "model.joint",
+                  fmt::format("the machine '{}' has no axis {}.", machine.id(), along));
+    }
+  }
+  return placement;
+}
+
+Result<std::shared_ptr<Effect>> readParametric(JsonReader& reader, const EffectSpec& spec,
+                                               const Machine& machine, int joint,
+                                               const Component& component) {
+  Placement placement = readPlacement(reader, spec, machine, joint, component);
+  if (reader.failed()) return reader.error();
+  if (Result<void> fits = checkPlacement(machine, spec, placement); !fits) {
+    reader.fail(reader.has("component") ? "component" : "joint", "model.component", fits.error().text);
+    return reader.error();
+  }
+  Result<std::vector<Parameter>> parameters = readParameters(reader, spec, machine, placement);
+  if (!parameters) return parameters.error();
+  Result<std::shared_ptr<Effect>> effect = makeShared(machine, spec, placement, *parameters);
+  if (effect) return effect;
+  reader.fail("parameters", "model.parameter", effect.error().text);
+  return reader.error();
 }
 
 /// The joint and component of an entry: `component` alone is enough where it names the joint, `joint` alone
@@ -212,7 +198,7 @@ std::optional<Component> readComponent(JsonReader& reader, const Machine& machin
     reader.fail("component", "model.component",
                 fmt::format("component {} belongs to axis {}, but 'joint' is {}.", component->text(),
                             component->axis.text(), joint));
-  } else if (component->location != (effect == "location")) {
+  } else if (effect == "table" ? component->location : !component->location && effect == "location") {
     reader.fail("component", "model.component",
                 fmt::format("component {} does not fit the effect '{}'.", component->text(), effect));
   }
@@ -226,17 +212,16 @@ Result<std::shared_ptr<Effect>> readEffect(JsonReader& reader, const Machine& ma
   const int joint = machine.find(component->axis);
   if (id == "table") return TableEffect::fromJson(reader, machine, joint, *component);
   if (id == "location") return LocationEffect::fromJson(reader, joint, *component);
-  for (const EffectRule& rule : rules()) {
-    if (rule.id == id) return readParametric(reader, rule, machine, joint, *component);
-  }
-  return reader.error();
+  return readParametric(reader, *findEffectSpec(id), machine, joint, *component);
 }
 
 }  // namespace
 
 std::vector<std::string> knownEffects() {
-  std::vector<std::string> ids = {"table", "location"};
-  for (const EffectRule& rule : rules()) ids.emplace_back(rule.id);
+  std::vector<std::string> ids;
+  for (const EffectSpec& spec : effectCatalogue()) {
+    if (spec.kind != EffectKind::Measurement) ids.emplace_back(spec.id);
+  }
   return ids;
 }
 
@@ -254,6 +239,7 @@ Result<EffectPtr> effectFromJson(const Json& json, const std::string& source, st
   }
   Result<std::shared_ptr<Effect>> effect = readEffect(reader, machine, id);
   if (!effect) return effect.error();
+  (*effect)->setActive(reader.booleanOr("active", (*effect)->isActive()));
   (*effect)->setProvenance({reader.stringOr("source", ""), reader.stringOr("when", "")});
   if (reader.failed()) return reader.error();
   return EffectPtr(std::move(*effect));

@@ -4,6 +4,7 @@
 
 #include "core/base/file.h"
 #include "core/errors/effect_catalogue.h"
+#include "core/errors/effect_spec.h"
 #include "core/kinematics/machine_file.h"
 
 namespace nineline::errors {
@@ -78,6 +79,9 @@ Json errorModelToJson(const ErrorModel& model) {
   Json effects = Json::array();
   for (const EffectPtr& effect : model.effects()) {
     Json entry = effect->toJson(machine);
+    const EffectSpec* spec = findEffectSpec(effect->id());
+    const bool active = spec == nullptr || spec->kind == EffectKind::Machine;
+    if (effect->isActive() != active) entry.set("active", effect->isActive());
     if (!effect->provenance().source.empty()) entry.set("source", effect->provenance().source);
     if (!effect->provenance().when.empty()) entry.set("when", effect->provenance().when);
     effects.push(std::move(entry));

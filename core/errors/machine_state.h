@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/units.h"
 #include "core/kinematics/machine.h"
 
 namespace nineline::errors {
@@ -28,7 +29,12 @@ struct MachineState {
   /// Temperatures and other conditions by column name ("temp_screw_Z_C"), in the unit that the name ends in.
   std::vector<std::pair<std::string, double>> conditions;
 
+  /// By column name; t_s, pass_1, load_kg and feed_mm_min as well. In the unit that the name ends in.
   [[nodiscard]] std::optional<double> condition(std::string_view name) const {
+    if (name == "t_s") return time;
+    if (name == "pass_1") return pass;
+    if (name == "load_kg") return load;
+    if (name == "feed_mm_min" && feed) return perMinuteFromPerSecond(*feed);
     for (const auto& [known, value] : conditions) {
       if (known == name) return value;
     }

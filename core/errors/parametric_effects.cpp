@@ -1,33 +1,83 @@
 #include "core/errors/parametric_effects.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "core/base/units.h"
 
 namespace nineline::errors {
 
 namespace {
 
-constexpr double kReferenceTemperature = 20.0;  // °C, ISO 1
-constexpr double kMicrometrePerMetre = 1e-6;
-
-double valueOf(const std::vector<Parameter>& parameters, std::string_view name) {
+const Parameter* findParameter(const std::vector<Parameter>& parameters, std::string_view name) {
   const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                  [&](const Parameter& one) { return one.name == name; });
-  NL_EXPECTS(found != parameters.end(), name);
-  return found->value;
+                                  [name](const Parameter& one) { return one.name == name; });
+  return found == parameters.end() ? nullptr : &*found;
 }
 
-double lengthOrAngle(bool angular, double shown) { return angular ? radFromArcsec(shown) : mmFromUm(shown); }
+Slot slotOf(const Placement& placement) {
+  if (placement.component.location) return Slot::Located;
+  return placement.fixed_frame ? Slot::Standing : Slot::Moved;
+}
+
+Json parametersToJson(const std::vector<Parameter>& parameters) {
+  Json all = Json::object();
+  for (const Parameter& parameter : parameters) {
+    Json one = Json::object();
+    one.set("value", parameter.value);
+    if (parameter.sigma) one.set("sigma", *parameter.sigma);
+    all.set(parameter.name, std::move(one.set("unit", parameter.unit)));
+  }
+  return all;
+}
 
 }  // namespace
 
-ScalarEffect::ScalarEffect(const kinematics::Machine& machine, int joint, Component component,
-                           std::vector<Parameter> parameters)
-    : Effect(joint, component, Slot::Moved),
-      unit_(unitMotion(machine.joint(joint), component)),
-      parameters_(std::move(parameters)) {}
+bool EffectParts::has(std::string_view name) const { return findParameter(parameters, name) != nullptr; }
+
+double EffectParts::value(std::string_view name) const {
+  const Parameter* parameter = findParameter(parameters, name);
+  const ParameterSpec* rule = spec.find(name);
+  NL_EXPECTS(parameter != nullptr && rule != nullptr, name);
+  return parameter->value * scaleOf(rule->quantity, placement.component.isAngular(),
+                                    joint().type == kinematics::JointType::Rotary);
+}
+
+double EffectParts::valueOr(std::string_view name, double otherwise) const {
+  return has(name) ? value(name) : otherwise;
+}
+
+ParametricEffect::ParametricEffect(EffectParts parts)
+    : Effect(parts.placement.joint, parts.placement.component, slotOf(parts.placement)),
+      spec_(parts.spec),
+      placement_(std::move(parts.placement)),
+      parameters_(std::move(parts.parameters)) {
+  setActive(spec_.kind == EffectKind::Machine);
+}
+
+std::optional<double> ParametricEffect::velocity(const MachineState& state) const {
+  if (!state.velocity) return std::nullopt;
+  return (*state.velocity)[static_cast<std::size_t>(joint())];
+}
+
+Json ParametricEffect::toJson(const kinematics::Machine& machine) const {
+  const bool rotary = machine.isRotary(joint());
+  Json json = Json::object();
+  json.set("effect", id())
+      .set("joint", machine.joint(joint()).axis.text())
+      .set("component", component().text())
+      .set("parameters", parametersToJson(parameters_));
+  if (!placement_.sensor.empty()) json.set("sensor", placement_.sensor);
+  if (!placement_.sensor_2.empty()) json.set("sensor_2", placement_.sensor_2);
+  if (placement_.fixed_frame) json.set("frame", "fixed");
+  if (placement_.along >= 0) json.set("along", machine.joint(placement_.along).axis.text());
+  if (placement_.range) {
+    const auto shown = [rotary](double value) { return rotary ? degFromRad(value) : value; };
+    json.set(rotary ? "range_deg" : "range_mm",
+             Json(Json::Array{Json(shown(placement_.range->low)), Json(shown(placement_.range->high))}));
+  }
+  return json;
+}
+
+ScalarEffect::ScalarEffect(EffectParts parts)
+    : ParametricEffect(parts), unit_(unitMotion(parts.joint(), parts.placement.component)) {}
 
 void ScalarEffect::addMotion(const MachineState& state, std::span<const double> memory,
                              SmallMotion& sum) const {
@@ -36,100 +86,6 @@ void ScalarEffect::addMotion(const MachineState& state, std::span<const double> 
 
 void ScalarEffect::addSlope(const MachineState& state, SmallMotion& sum) const {
   addScaled(amplitudeSlope(state), unit_, sum);
-}
-
-Json ScalarEffect::toJson(const kinematics::Machine& machine) const {
-  Json json = Json::object();
-  json.set("effect", id())
-      .set("joint", machine.joint(joint()).axis.text())
-      .set("component", component().text());
-  Json values = Json::object();
-  for (const Parameter& parameter : parameters()) {
-    Json value = Json::object();
-    value.set("value", parameter.value);
-    if (parameter.sigma) value.set("sigma", *parameter.sigma);
-    values.set(parameter.name, std::move(value.set("unit", parameter.unit)));
-  }
-  return json.set("parameters", std::move(values));
-}
-
-ScaleEffect::ScaleEffect(const kinematics::Machine& machine, int joint, Component component,
-                         std::vector<Parameter> parameters)
-    : ScalarEffect(machine, joint, component, parameters),
-      k_(kMicrometrePerMetre * valueOf(parameters, "k")) {}
-
-double ScaleEffect::amplitude(const MachineState& state, std::span<const double>) const {
-  return k_ * position(state);
-}
-
-CyclicEffect::CyclicEffect(const kinematics::Machine& machine, int joint, Component component,
-                           std::vector<Parameter> parameters)
-    : ScalarEffect(machine, joint, component, parameters),
-      amplitude_(lengthOrAngle(component.isAngular(), valueOf(parameters, "amplitude"))),
-      wave_number_(kTurn / (machine.isRotary(joint) ? radFromDeg(valueOf(parameters, "period"))
-                                                    : valueOf(parameters, "period"))),
-      phase_(radFromDeg(valueOf(parameters, "phase"))) {}
-
-double CyclicEffect::featureLength() const { return kTurn / std::abs(wave_number_) / 8.0; }
-
-double CyclicEffect::amplitude(const MachineState& state, std::span<const double>) const {
-  return amplitude_ * std::sin(wave_number_ * position(state) + phase_);
-}
-
-double CyclicEffect::amplitudeSlope(const MachineState& state) const {
-  return amplitude_ * wave_number_ * std::cos(wave_number_ * position(state) + phase_);
-}
-
-BacklashEffect::BacklashEffect(const kinematics::Machine& machine, int joint, Component component,
-                               std::vector<Parameter> parameters)
-    : ScalarEffect(machine, joint, component, parameters),
-      width_(lengthOrAngle(component.isAngular(), valueOf(parameters, "width"))) {}
-
-double BacklashEffect::amplitude(const MachineState& state, std::span<const double> memory) const {
-  if (!memory.empty()) return memory[0];
-  return -0.5 * width_ * state.approach[static_cast<std::size_t>(joint())];
-}
-
-double BacklashEffect::play() const { return std::abs(width_); }
-
-void BacklashEffect::start(const MachineState& state, std::span<double> memory) const {
-  memory[0] = amplitude(state, {});
-}
-
-void BacklashEffect::advance(const MachineState& from, const MachineState& to,
-                             std::span<double> memory) const {
-  const auto k = static_cast<std::size_t>(joint());
-  if (from.approach[k] == 0) {  // nothing is known of the past: the first motion finds the play taken up
-    memory[0] = amplitude(to, {});
-    return;
-  }
-  // The offset follows the command backwards until an edge of the band is reached. A negative width is a
-  // control that over-compensates: the mirror image.
-  const double sense = width_ < 0.0 ? -1.0 : 1.0;
-  const double half = 0.5 * std::abs(width_);
-  memory[0] = sense * std::clamp(sense * memory[0] + position(from) - position(to), -half, half);
-}
-
-ThermalScrewEffect::ThermalScrewEffect(const kinematics::Machine& machine, int joint, Component component,
-                                       std::vector<Parameter> parameters, std::string sensor)
-    : ScalarEffect(machine, joint, component, parameters),
-      k_(kMicrometrePerMetre * valueOf(parameters, "k")),
-      fixed_(machine.isRotary(joint) ? radFromDeg(valueOf(parameters, "q_fixed"))
-                                     : valueOf(parameters, "q_fixed")),
-      sensor_(std::move(sensor)) {}
-
-double ThermalScrewEffect::amplitudeSlope(const MachineState& state) const {
-  const std::optional<double> temperature = state.condition(sensor_);
-  return temperature ? k_ * (*temperature - kReferenceTemperature) : 0.0;
-}
-
-double ThermalScrewEffect::amplitude(const MachineState& state, std::span<const double>) const {
-  return amplitudeSlope(state) * (position(state) - fixed_);
-}
-
-Json ThermalScrewEffect::toJson(const kinematics::Machine& machine) const {
-  Json json = ScalarEffect::toJson(machine);
-  return json.set("sensor", sensor_);
 }
 
 }  // namespace nineline::errors

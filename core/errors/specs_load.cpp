@@ -1,0 +1,7 @@
+#include "core/errors/effect_specs.h"
+
+namespace nineline::errors {
+
+std::vector<EffectSpec> loadSpecs() { return {}; }
+
+}  // namespace nineline::errors
