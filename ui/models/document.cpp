@@ -19,14 +19,46 @@ Json memberOr(const Json& json, const char* key, Json otherwise) {
   return found != nullptr ? *found : otherwise;
 }
 
+Json readingsToJson(const std::vector<ReadingsFile>& readings) {
+  Json files = Json::array();
+  for (const ReadingsFile& file : readings) {
+    Json entry = Json::object();
+    entry.set("name", file.name);
+    entry.set("text", *file.text);
+    files.push(std::move(entry));
+  }
+  return files;
+}
+
+void readReadings(const Json& json, JsonReader& reader, Document& document) {
+  const Json* files = json.find("readings");
+  if (files == nullptr || files->items() == nullptr) return;
+  for (const Json& entry : *files->items()) {
+    const Json* name = entry.find("name");
+    const Json* text = entry.find("text");
+    if (name == nullptr || name->string() == nullptr || text == nullptr || text->string() == nullptr) {
+      return reader.fail("readings", "document.parts", "A file of readings lacks its name or its text.");
+    }
+    document.readings.push_back({*name->string(), std::make_shared<const std::string>(*text->string())});
+  }
+}
+
 }  // namespace
 
 bool isSame(const Json& one, const Json& other) { return writeJson(one, -1) == writeJson(other, -1); }
+
+bool isSame(const std::vector<ReadingsFile>& one, const std::vector<ReadingsFile>& other) {
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                    [](const ReadingsFile& left, const ReadingsFile& right) {
+                      return left.name == right.name && isSameText(left.text, right.text);
+                    });
+}
 
 Changes differences(const Document& one, const Document& other) {
   Changes changes;
   changes.machine = one.machine_text != other.machine_text;
   changes.effects = !isSame(one.effects, other.effects);
+  changes.readings = !isSame(one.readings, other.readings);
   changes.program = one.program_name != other.program_name || !isSameText(one.program, other.program);
   changes.thread = !isSame(one.thread, other.thread);
   changes.setup = !isSame(one.setup, other.setup);
@@ -39,6 +71,7 @@ Json documentToJson(const Document& document) {
   json.set("format", kFormat);
   json.set("machine", document.machine_text);
   json.set("effects", document.effects);
+  json.set("readings", readingsToJson(document.readings));
   json.set("program_name", document.program_name);
   json.set("program", document.program ? Json(*document.program) : Json());
   json.set("thread", document.thread);
@@ -57,6 +90,7 @@ Result<Document> documentFromJson(const Json& json) {
   document.machine_text = reader.string("machine");
   if (reader.failed()) return reader.error();
   document.effects = memberOr(json, "effects", Json::array());
+  readReadings(json, reader, document);
   document.program_name = reader.stringOr("program_name", "");
   if (const Json* text = json.find("program"); text != nullptr && text->string() != nullptr) {
     document.program = std::make_shared<const std::string>(*text->string());

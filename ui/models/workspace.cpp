@@ -32,6 +32,7 @@ void Workspace::refresh(const Changes& changes) {
   if (changes.machine || changes.program || changes.setup) preview_delay_.start();
   if (changes.machine) emit machineChanged();
   if (changes.effects) emit effectsChanged();
+  if (changes.readings) emit readingsChanged();
   if (changes.program) emit programChanged();
   if (changes.thread) emit threadChanged();
   if (changes.setup) emit setupChanged();

@@ -55,6 +55,7 @@ class Workspace : public QObject {
  signals:
   void machineChanged();
   void effectsChanged();
+  void readingsChanged();
   void programChanged();
   void threadChanged();
   void setupChanged();

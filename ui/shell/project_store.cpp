@@ -1,5 +1,6 @@
 #include "ui/shell/project_store.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/compensation/compensation.h"
@@ -25,6 +26,28 @@ Json wizardJson(const models::Document& document) {
   return json;
 }
 
+Result<void> readReadings(const project::ProjectFile& file, models::Document& document) {
+  const Result<std::vector<std::string>> names = file.names(DocumentKind::Measurement);
+  if (!names) return names.error();
+  for (const std::string& name : *names) {
+    const Result<std::optional<std::string>> text = file.find(DocumentKind::Measurement, name);
+    if (!text) return text.error();
+    if (text->has_value()) document.readings.push_back({name, std::make_shared<const std::string>(**text)});
+  }
+  return {};
+}
+
+void putReadings(const models::Document& saved, const models::Document& document, project::Change& change) {
+  for (const models::ReadingsFile& file : document.readings) {
+    change.put(DocumentKind::Measurement, file.name, *file.text);
+  }
+  for (const models::ReadingsFile& file : saved.readings) {
+    const bool gone = std::none_of(document.readings.begin(), document.readings.end(),
+                                   [&](const models::ReadingsFile& now) { return now.name == file.name; });
+    if (gone) change.remove(DocumentKind::Measurement, file.name);
+  }
+}
+
 Result<models::Document> documentOf(const project::ProjectFile& file) {
   const Result<std::optional<std::string>> wizard = file.find(DocumentKind::Setting, kWizard);
   if (!wizard) return wizard.error();
@@ -40,6 +63,7 @@ Result<models::Document> documentOf(const project::ProjectFile& file) {
   json.set("machine", machine->value_or(""));
   Result<models::Document> document = models::documentFromJson(json);
   if (!document) return document;
+  if (Result<void> readings = readReadings(file, *document); !readings) return readings.error();
   const Result<std::optional<std::string>> program = file.find(DocumentKind::Program, document->program_name);
   if (!program) return program.error();
   if (program->has_value()) document->program = std::make_shared<const std::string>(**program);
@@ -68,6 +92,7 @@ Result<void> ProjectStore::write(project::ProjectFile& file, const models::Docum
   project::Change change;
   change.setMachine(document.machine_text);
   change.put(DocumentKind::Setting, kWizard, writeJson(wizardJson(document)));
+  putReadings(saved_, document, change);
   if (document.program != nullptr) {
     change.put(DocumentKind::Program, document.program_name, *document.program);
   }

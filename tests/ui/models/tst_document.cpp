@@ -33,6 +33,7 @@ class TestDocument : public QObject {
     Document document = sample();
     document.effects = models::withLocation(document.effects, component("B0X"), Json(4.1));
     document.options.set("tolerance_um", 2.5);
+    document.readings.push_back({"z.csv", std::make_shared<const std::string>("#axis: Z\nZ_mm,dev_um\n")});
     const Result<Document> back = models::documentFromJson(models::documentToJson(document));
     QVERIFY(back);
     QVERIFY(!models::differences(document, *back).any());
@@ -44,6 +45,15 @@ class TestDocument : public QObject {
     const models::Changes changes = models::differences(sample(), changed);
     QVERIFY(changes.options);
     QVERIFY(!changes.machine && !changes.effects && !changes.program && !changes.setup);
+  }
+
+  void changedReadingsAreNoticed() {
+    Document one = sample();
+    one.readings.push_back({"z.csv", std::make_shared<const std::string>("1\n")});
+    Document other = one;
+    QVERIFY(!models::differences(one, other).any());
+    other.readings[0].text = std::make_shared<const std::string>("2\n");
+    QVERIFY(models::differences(one, other).readings);
   }
 
   void aBadValueIsKeptAndCoreRefusesIt() {
