@@ -1,56 +1,10 @@
 #include "core/kinematics/chain.h"
 
-#include <cmath>
+#include "core/kinematics/frame.h"
 
 namespace nineline::kinematics {
 
 namespace {
-
-/// A pose under construction, kept as rotation and translation so that a step costs no 4×4 product.
-struct Frame {
-  Matrix3d R = Matrix3d::Identity();
-  Vector3d p = Vector3d::Zero();
-
-  void translate(const Vector3d& by) { p.noalias() += R * by; }
-
-  void rotate(const Vector3d& w, RotationModel model) {
-    if (w.isZero(0.0)) return;
-    const Matrix3d by =
-        model == RotationModel::Exact ? exponential(w) : Matrix3d(Matrix3d::Identity() + skew(w));
-    R = R * by;
-  }
-
-  /// Turns about a joint direction; columns alone change where it is an axis of the frame.
-  void turn(const Vector3d& direction, double angle) {
-    for (int k = 0; k < 3; ++k) {
-      const int a = (k + 1) % 3;
-      const int b = (k + 2) % 3;
-      if (direction[a] != 0.0 || direction[b] != 0.0) continue;
-      const double c = std::cos(angle);
-      const double s = std::sin(angle) * direction[k];
-      const Vector3d column = R.col(a);
-      R.col(a) = c * column + s * R.col(b);
-      R.col(b) = c * R.col(b) - s * column;
-      return;
-    }
-    R = R * rotationAbout(direction, angle);
-  }
-
-  void apply(const SmallMotion& motion, RotationModel model) {
-    if (!motion.translation.isZero(0.0)) translate(motion.translation);
-    rotate(motion.rotation, model);
-  }
-};
-
-/// Location errors turn about fixed axes in the order Rx(a) Ry(b) Rz(c) (theory.md, 1.3).
-void applyLocated(Frame& frame, const SmallMotion& located, RotationModel model) {
-  if (!located.translation.isZero(0.0)) frame.translate(located.translation);
-  if (located.rotation.isZero(0.0)) return;
-  if (model == RotationModel::FirstOrder) return frame.rotate(located.rotation, model);
-  for (int k = 0; k < 3; ++k) {
-    if (located.rotation[k] != 0.0) frame.turn(Vector3d::Unit(k), located.rotation[k]);
-  }
-}
 
 /// Direction and a point of each joint's axis in the bed frame.
 struct Screw {
@@ -61,18 +15,32 @@ using Screws = std::array<Screw, kMaxAxes>;
 
 void advance(Frame& frame, const Joint& joint, double q, const JointDisplacement* displacement,
              RotationModel model, Screw* screw) {
-  frame.translate(joint.offset);
+  if (!joint.offset.isZero(0.0)) frame.translate(joint.offset);
   if (displacement != nullptr) {
-    applyLocated(frame, displacement->located, model);
-    frame.apply(displacement->standing, model);
+    if (!displacement->located.isZero()) frame.applyLocated(displacement->located, model);
+    if (!displacement->standing.isZero()) frame.apply(displacement->standing, model);
   }
-  if (screw != nullptr) *screw = {frame.R * joint.direction, frame.p};
-  if (joint.type == JointType::Linear) {
-    frame.translate(q * joint.direction);
-  } else {
-    frame.turn(joint.direction, q);
+  if (screw != nullptr) *screw = {frame.times(joint.direction), frame.position()};
+  frame.move(joint, q);
+  if (displacement != nullptr && !displacement->moved.isZero()) frame.apply(displacement->moved, model);
+}
+
+void fillJacobian(const Machine& machine, const Screws& screws, const Vector3d& tip, const Frame& toWorkpiece,
+                  PoseJacobian& jacobian) {
+  jacobian.resize(6, machine.jointCount());
+  for (int i = 0; i < machine.jointCount(); ++i) {
+    const Screw& screw = screws[static_cast<std::size_t>(i)];
+    const double sign = machine.side(i) == Side::Workpiece ? -1.0 : 1.0;
+    double* const column = jacobian.data() + 6 * i;
+    const bool rotary = machine.isRotary(i);
+    const Vector3d direction = sign * toWorkpiece.times(screw.direction);
+    const Vector3d velocity =
+        rotary ? Vector3d(sign * toWorkpiece.times(screw.direction.cross(tip - screw.point))) : direction;
+    for (int row = 0; row < 3; ++row) {
+      column[row] = velocity[row];
+      column[3 + row] = rotary ? direction[row] : 0.0;
+    }
   }
-  if (displacement != nullptr) frame.apply(displacement->moved, model);
 }
 
 ToolPose evaluate(const Machine& machine, const JointPositions& q, const JointDisplacements* displacements,
@@ -86,23 +54,15 @@ ToolPose evaluate(const Machine& machine, const JointPositions& q, const JointDi
     advance(frame, machine.joint(i), q[k], displacements != nullptr ? &(*displacements)[k] : nullptr, model,
             jacobian != nullptr ? &screws[k] : nullptr);
   }
-  const Vector3d tip = tool.p + tool.R * machine.toolTip();
-  const bool skewed = model == RotationModel::FirstOrder && displacements != nullptr;
-  const Matrix3d R_WM = skewed ? Matrix3d(workpiece.R.inverse()) : Matrix3d(workpiece.R.transpose());
+  const Vector3d tip = tool.at(machine.toolTip());
+  Frame toWorkpiece =
+      workpiece.inverseRotation(model == RotationModel::FirstOrder && displacements != nullptr);
   ToolPose pose;
-  pose.tip = R_WM * (tip - workpiece.p);
-  pose.R_WP = R_WM * tool.R;
-  pose.axis = (pose.R_WP * machine.toolAxis()).normalized();
-  if (jacobian == nullptr) return pose;
-  jacobian->resize(6, machine.jointCount());
-  for (int i = 0; i < machine.jointCount(); ++i) {
-    const Screw& screw = screws[static_cast<std::size_t>(i)];
-    const double sign = machine.side(i) == Side::Workpiece ? -1.0 : 1.0;
-    const bool rotary = machine.isRotary(i);
-    const Vector3d velocity = rotary ? Vector3d(screw.direction.cross(tip - screw.point)) : screw.direction;
-    jacobian->col(i).head<3>() = sign * (R_WM * velocity);
-    jacobian->col(i).tail<3>() = rotary ? Vector3d(sign * (R_WM * screw.direction)) : Vector3d::Zero();
-  }
+  pose.tip = toWorkpiece.times(tip - workpiece.position());
+  if (jacobian != nullptr) fillJacobian(machine, screws, tip, toWorkpiece, *jacobian);
+  toWorkpiece.multiply(tool.rotation());
+  pose.R_WP = toWorkpiece.rotation();
+  pose.axis = toWorkpiece.times(machine.toolAxis()).normalized();
   return pose;
 }
 
@@ -140,28 +100,25 @@ void addSlopes(const Machine& machine, const JointPositions& q, const JointDispl
     const Joint& joint = machine.joint(i);
     Frame located = frame;
     located.translate(joint.offset);
-    applyLocated(located, displacements[k].located, RotationModel::Exact);
+    located.applyLocated(displacements[k].located, RotationModel::Exact);
     standing[k] = located;
     advance(frame, joint, q[k], &displacements[k], RotationModel::Exact, nullptr);
     moved[k] = located;
     moved[k].apply(displacements[k].standing, RotationModel::Exact);
-    if (joint.type == JointType::Linear) {
-      moved[k].translate(q[k] * joint.direction);
-    } else {
-      moved[k].turn(joint.direction, q[k]);
-    }
+    moved[k].move(joint, q[k]);
   }
-  const Vector3d tip = tool.p + tool.R * machine.toolTip();
-  const Matrix3d R_WM = workpiece.R.transpose();
+  const Vector3d tip = tool.at(machine.toolTip());
+  const Frame toWorkpiece = workpiece.inverseRotation(false);
   for (int i = 0; i < machine.jointCount(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double sign = machine.side(i) == Side::Workpiece ? -1.0 : 1.0;
     const auto add = [&](const Frame& frame, const SmallMotion& motion, const SmallMotion& slope) {
       if (slope.isZero()) return;
-      const Vector3d turning = frame.R * (leftJacobian(motion.rotation) * slope.rotation);
-      const Vector3d arm = tip - frame.p - frame.R * motion.translation;
-      jacobian.col(i).head<3>() += sign * (R_WM * (frame.R * slope.translation + turning.cross(arm)));
-      jacobian.col(i).tail<3>() += sign * (R_WM * turning);
+      const Vector3d turning = frame.times(leftJacobian(motion.rotation) * slope.rotation);
+      const Vector3d arm = tip - frame.at(motion.translation);
+      const Vector3d velocity = frame.times(slope.translation) + turning.cross(arm);
+      jacobian.col(i).head<3>() += sign * toWorkpiece.times(velocity);
+      jacobian.col(i).tail<3>() += sign * toWorkpiece.times(turning);
     };
     add(standing[k], displacements[k].standing, slopes[k].standing);
     add(moved[k], displacements[k].moved, slopes[k].moved);
@@ -178,8 +135,8 @@ BodyPoses bodyPoses(const Machine& machine, const JointPositions& q,
     const auto k = static_cast<std::size_t>(i);
     Frame& frame = machine.side(i) == Side::Workpiece ? workpiece : tool;
     advance(frame, machine.joint(i), q[k], &displacements[k], RotationModel::Exact, nullptr);
-    poses[k].linear() = frame.R;
-    poses[k].translation() = frame.p;
+    poses[k].linear() = frame.rotation();
+    poses[k].translation() = frame.position();
   }
   return poses;
 }

@@ -6,14 +6,18 @@
 namespace nineline::kinematics {
 
 namespace {
-constexpr double kSeriesBelow = 1e-8;  // of the squared angle
+/// Of the squared angle: below it the series are exact to a double's last digit.
+constexpr double kSeriesBelow = 1e-4;
 
 struct Coefficients {
   double a, b, c;  // sin t / t, (1 − cos t)/t², (t − sin t)/t³
 };
 
 Coefficients coefficients(double t2) {
-  if (t2 < kSeriesBelow) return {1.0 - t2 / 6.0, 0.5 - t2 / 24.0, 1.0 / 6.0 - t2 / 120.0};
+  if (t2 < kSeriesBelow) {
+    return {1.0 - t2 * (1.0 / 6.0 - t2 * (1.0 / 120.0)), 0.5 - t2 * (1.0 / 24.0 - t2 * (1.0 / 720.0)),
+            1.0 / 6.0 - t2 * (1.0 / 120.0 - t2 * (1.0 / 5040.0))};
+  }
   const double t = std::sqrt(t2);
   const double half = std::sin(0.5 * t);
   const double sine = std::sin(t);

@@ -1,6 +1,5 @@
 #include "core/kinematics/step_solver.h"
 
-#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -9,40 +8,78 @@ namespace nineline::kinematics {
 
 namespace {
 
-/// Pivots (of scaled columns) below this share of the largest send a matrix to the singular values.
+/// Columns (scaled) that span less than this share of a box of their lengths send a matrix to the singular
+/// values.
 constexpr double kSafePivot = 1e-3;
 
 /// Scaled columns of the joints that move; the rows of the rotation are weighed.
 using Tall = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMaxAxes>;
 using Wide = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, kMaxAxes, 6>;
 
-template <int N>
-bool invert(const Eigen::Matrix<double, N, N>& square, Eigen::Matrix<double, N, N>& inverse) {
-  const Eigen::PartialPivLU<Eigen::Matrix<double, N, N>> lu(square);
-  const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
-  if (!(pivots.minCoeff() > kSafePivot * pivots.maxCoeff())) return false;
-  inverse = lu.inverse();
+/// The inverse of the matrix with these columns by cofactors; false where they are near one plane or one is
+/// far shorter than another.
+bool invertThree(const Vector3d& a, const Vector3d& b, const Vector3d& c, Matrix3d& inverse) {
+  const Vector3d bc = b.cross(c);
+  const double determinant = a.dot(bc);
+  const Vector3d squares(a.squaredNorm(), b.squaredNorm(), c.squaredNorm());
+  const double size = std::sqrt(squares[0] * squares[1] * squares[2]);
+  if (!(squares.minCoeff() > kSafePivot * kSafePivot * squares.maxCoeff())) return false;
+  if (!(std::abs(determinant) > kSafePivot * size)) return false;
+  inverse.row(0) = bc / determinant;
+  inverse.row(1) = c.cross(a) / determinant;
+  inverse.row(2) = a.cross(b) / determinant;
   return true;
 }
 
 bool invertTip(const Tall& A, Wide& inverse) {
-  Eigen::Matrix3d result;
-  if (!invert<3>(A.topRows<3>(), result)) return false;
+  Matrix3d result;
+  if (!invertThree(A.col(0).head<3>(), A.col(1).head<3>(), A.col(2).head<3>(), result)) return false;
   inverse.setZero(3, 6);
   inverse.leftCols<3>() = result;
   return true;
 }
 
-/// Five rows: the tip, and the turning about two directions square to the tool axis.
+/// Places of the columns that turn the tool and of those that do not; false where they are not two and three.
+bool splitColumns(const Tall& A, std::array<int, 3>& linear, std::array<int, 2>& rotary) {
+  std::size_t linears = 0;
+  std::size_t rotaries = 0;
+  for (int c = 0; c < 5; ++c) {
+    const bool turns = !A.col(c).tail<3>().isZero(0.0);
+    if ((turns ? rotaries : linears) == (turns ? rotary.size() : linear.size())) return false;
+    (turns ? rotary[rotaries++] : linear[linears++]) = c;
+  }
+  return true;
+}
+
+/// Five joints that hold the tip and the tool axis. The two that turn are found first, from the turning about
+/// two directions u, v square to the axis; the three others put the tip right.
 bool invertTipAndAxis(const Tall& A, const Vector3d& axis, Wide& inverse) {
-  Eigen::Matrix<double, 5, 6> rows = Eigen::Matrix<double, 5, 6>::Zero();
-  rows.topLeftCorner<3, 3>().setIdentity();
-  rows.block<1, 3>(3, 3) = axis.unitOrthogonal().transpose();
-  rows.block<1, 3>(4, 3) = axis.cross(axis.unitOrthogonal()).transpose();
-  const Eigen::Matrix<double, 6, 5> tall = A;
-  Eigen::Matrix<double, 5, 5> result;
-  if (!invert<5>(rows * tall, result)) return false;
-  inverse = result * rows;
+  std::array<int, 3> linear{};
+  std::array<int, 2> rotary{};
+  if (!splitColumns(A, linear, rotary)) return false;
+  const Vector3d u = axis.unitOrthogonal();
+  const Vector3d v = axis.cross(u);
+  const Vector3d w0 = A.col(rotary[0]).tail<3>();
+  const Vector3d w1 = A.col(rotary[1]).tail<3>();
+  const double u0 = u.dot(w0), u1 = u.dot(w1), v0 = v.dot(w0), v1 = v.dot(w1);
+  const double determinant = u0 * v1 - u1 * v0;
+  const double largest = std::sqrt(std::max(u0 * u0 + v0 * v0, u1 * u1 + v1 * v1));
+  if (!(largest > kSafePivot) || !(std::abs(determinant) > kSafePivot * largest)) return false;
+  Matrix3d tip;
+  if (!invertThree(A.col(linear[0]).head<3>(), A.col(linear[1]).head<3>(), A.col(linear[2]).head<3>(), tip))
+    return false;
+  const Vector3d turn0 = (v1 * u - u1 * v) / determinant;  // of the rotary joints for a rotation of the tool
+  const Vector3d turn1 = (u0 * v - v0 * u) / determinant;
+  const Vector3d lever0 = -(tip * A.col(rotary[0]).head<3>());
+  const Vector3d lever1 = -(tip * A.col(rotary[1]).head<3>());
+  inverse.setZero(5, 6);
+  inverse.row(rotary[0]).tail<3>() = turn0;
+  inverse.row(rotary[1]).tail<3>() = turn1;
+  for (int i = 0; i < 3; ++i) {
+    const int row = linear[static_cast<std::size_t>(i)];
+    inverse.row(row).head<3>() = tip.row(i);
+    inverse.row(row).tail<3>() = lever0[i] * turn0 + lever1[i] * turn1;
+  }
   return true;
 }
 
@@ -90,8 +127,11 @@ StepSolver::StepSolver(const Machine& machine, const PoseJacobian& jacobian, con
 
 JointPositions StepSolver::step(const PoseResidual& residual) const {
   JointPositions result{};
-  for (int c = 0; c < count_; ++c)
-    result[static_cast<std::size_t>(joints_[static_cast<std::size_t>(c)])] = inverse_.row(c).dot(residual);
+  for (int c = 0; c < count_; ++c) {
+    double sum = 0.0;
+    for (int k = 0; k < 6; ++k) sum += inverse_(c, k) * residual[k];
+    result[static_cast<std::size_t>(joints_[static_cast<std::size_t>(c)])] = sum;
+  }
   return result;
 }
 

@@ -5,8 +5,8 @@
 namespace nineline::kinematics {
 
 /// `leastSquaresStep` for several residuals of one Jacobian: the matrix is inverted once. Three joints that
-/// hold the tip, and five that hold tip and tool axis, are inverted directly while the pose is far from
-/// singular; every other case through its singular values.
+/// hold the tip, and three linear and two rotary ones that hold tip and tool axis, are inverted directly
+/// while the pose is far from singular; every other case through its singular values.
 class StepSolver {
  public:
   StepSolver(const Machine& machine, const PoseJacobian& jacobian, const PoseTarget& target,
