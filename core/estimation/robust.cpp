@@ -1,0 +1,78 @@
+#include "core/estimation/robust.h"
+
+#include <algorithm>
+
+#include "core/base/units.h"
+
+namespace nineline::estimation {
+
+namespace {
+
+constexpr double kMedianToSigma = 1.4826;  // of a normal distribution
+// Below these no reading is an outlier: resolution of numbers in files, not of machines.
+constexpr double kLeastOutlier = 1e-2 * kNanometre;  // mm
+constexpr double kLeastAngle = 1e-10;                // rad
+
+double leastSigma(const NoiseClass& noise) { return noise.angular ? kLeastAngle : kLeastOutlier; }
+
+}  // namespace
+
+VectorXd huberWeights(const ReadingSet& readings, const NoiseLevels& noise, const VectorXd& rest,
+                      double huber) {
+  VectorXd weights(rest.size());
+  for (std::size_t row = 0; row < readings.rows(); ++row) {
+    const std::size_t c = readings.noiseOf(row);
+    const double sigma =
+        std::max(noise.scale[c] * readings.readings()[row].sigma, leastSigma(readings.classes()[c]));
+    const double size = std::abs(rest[static_cast<Index>(row)]) / sigma;
+    weights[static_cast<Index>(row)] = size <= huber ? 1.0 : huber / size;
+  }
+  return weights;
+}
+
+std::vector<double> robustScales(const ReadingSet& readings, const VectorXd& rest,
+                                 const std::vector<double>& freedom) {
+  std::vector<std::vector<double>> sizes(readings.classes().size());
+  for (std::size_t row = 0; row < readings.rows(); ++row) {
+    sizes[readings.noiseOf(row)].push_back(std::abs(rest[static_cast<Index>(row)]) /
+                                           readings.readings()[row].sigma);
+  }
+  std::vector<double> scales;
+  for (std::size_t c = 0; c < sizes.size(); ++c) {
+    double scale = 1.0;
+    if (!sizes[c].empty()) {
+      const auto middle = sizes[c].begin() + static_cast<std::ptrdiff_t>(sizes[c].size() / 2);
+      std::nth_element(sizes[c].begin(), middle, sizes[c].end());
+      scale = kMedianToSigma * *middle / std::sqrt(std::clamp(freedom[c], 0.1, 1.0));
+    }
+    scales.push_back(std::max(scale, 1e-8));
+  }
+  return scales;
+}
+
+VectorXd outlierWeights(const Linearisation& linearisation, const NoiseLevels& noise,
+                        const Eigen::SparseMatrix<double>& map, const MixedSolution& solution,
+                        const VectorXd& rest, const VectorXd& weights, double outlier) {
+  const ReadingSet& readings = linearisation.readings();
+  const Index p = map.cols();
+  VectorXd out = VectorXd::Ones(rest.size());
+  for (std::size_t row = 0; row < readings.rows(); ++row) {
+    const ReadingPlace& reading = readings.readings()[row];
+    const RunGroup& group = readings.groups()[reading.group];
+    const double sigma =
+        std::max(noise.scale[group.noise] * reading.sigma, leastSigma(readings.classes()[group.noise]));
+    const auto at = static_cast<Index>(row);
+    const double size = std::abs(rest[at]) / sigma;
+    if (size < 0.5 * outlier) continue;
+    VectorXd a = VectorXd::Zero(solution.covariance.rows());
+    a.head(p) = map.transpose() * linearisation.row(row);
+    if (group.zero >= 0) a[p + group.zero] = 1.0;
+    const double spread = a.dot(solution.covariance * a) / (sigma * sigma);
+    // Inside the fit the rest lacks what the fit took of it, outside it has the fit's own uncertainty on top.
+    const double variance = weights[at] > 0.5 ? std::max(0.1, 1.0 - spread) : 1.0 + spread;
+    if (size > outlier * std::sqrt(variance)) out[at] = 0.0;
+  }
+  return out;
+}
+
+}  // namespace nineline::estimation

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/estimation/mixed_model.h"
+
+namespace nineline::estimation {
+
+/// How readings that do not belong to the rest are dealt with.
+struct RobustOptions {
+  bool enabled = true;
+  double huber = 1.5;  ///< standard deviations within which a reading counts fully while outliers are sought
+  double outlier = 4.0;  ///< standard deviations (of what the fit leaves) from which a reading is left out
+  int iterations = 8;    ///< reweighted solutions at most
+};
+
+/// Weights of Huber's loss: 1 up to `huber` standard deviations, from there falling as 1/|rest|.
+[[nodiscard]] VectorXd huberWeights(const ReadingSet& readings, const NoiseLevels& noise,
+                                    const VectorXd& rest, double huber);
+
+/// Standard deviations of each class from the median of |rest|, which outliers do not reach; `freedom`:
+/// share of the readings that the fit has not used up, by class.
+[[nodiscard]] std::vector<double> robustScales(const ReadingSet& readings, const VectorXd& rest,
+                                               const std::vector<double>& freedom);
+
+/// 0 for readings whose rest, in its own standard deviation, exceeds `outlier`, else 1. A rest is smaller
+/// than its noise where few readings stand against many parameters; `map` and the covariance of the solution
+/// say by how much.
+[[nodiscard]] VectorXd outlierWeights(const Linearisation& linearisation, const NoiseLevels& noise,
+                                      const Eigen::SparseMatrix<double>& map, const MixedSolution& solution,
+                                      const VectorXd& rest, const VectorXd& weights, double outlier);
+
+}  // namespace nineline::estimation
