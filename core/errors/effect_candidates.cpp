@@ -3,6 +3,7 @@
 
 #include "core/errors/effect_makers.h"
 #include "core/errors/effect_placement.h"
+#include "core/errors/sensor_names.h"
 
 namespace nineline::errors {
 
@@ -13,31 +14,6 @@ using kinematics::Machine;
 bool isRotary(const kinematics::Joint& joint) { return joint.type == kinematics::JointType::Rotary; }
 
 int rowAlong(const kinematics::Joint& joint) { return positioningOf(joint).row % 3; }
-
-/// The components of a joint at which a search looks for a kind of effect.
-std::vector<Component> componentsOf(const Machine& machine, int index, const EffectSpec& spec) {
-  const kinematics::Joint& joint = machine.joint(index);
-  const bool rotary = isRotary(joint);
-  const int own = rowAlong(joint);
-  const int second = (own + 1) % 3;
-  std::vector<Component> found;
-  const auto add = [&](int row, bool location = false) { found.push_back({joint.axis, row, location}); };
-  if ((spec.sites & kOwn) != 0) found.push_back(positioningOf(joint));
-  if ((spec.sites & kLateral) != 0 && !rotary) {
-    for (int row = 0; row < 3; ++row) {
-      if (row != own) add(row);
-    }
-  }
-  if ((spec.sites & kTilt) != 0) {
-    for (int row = 0; row < 3; ++row) {
-      if (!rotary || row != own) add(row + 3);
-    }
-  }
-  if ((spec.sites & kRadialPair) != 0 && rotary) add(second);
-  if ((spec.sites & kTiltPair) != 0 && rotary) add(second + 3);
-  if ((spec.sites & kAxial) != 0 && rotary) add(own);
-  return found;
-}
 
 /// Where a shift along each direction of the bed is looked for: at the linear joint of that direction, else
 /// at the place of the first rotary joint.
@@ -124,14 +100,14 @@ class Columns {
            ((covariates & kTime) == 0 || time) && ((covariates & kPass) == 0 || has("pass_1")) &&
            ((covariates & kLoad) == 0 || has("load_kg")) && ((covariates & kFeed) == 0 || has("feed_mm_min"));
   }
-  /// Temperatures, and switches such as coolant_1.
-  [[nodiscard]] std::vector<std::string> sensors(const EffectSpec& spec) const {
+  /// Columns that the effect may follow at an axis.
+  [[nodiscard]] std::vector<std::string> sensors(const EffectSpec& spec, const AxisId& axis) const {
+    if (spec.standard_sensor == "feed_mm_min") {
+      return has("feed_mm_min") ? std::vector<std::string>{"feed_mm_min"} : std::vector<std::string>();
+    }
     std::vector<std::string> found;
     for (const std::string& name : data_.columns) {
-      const bool temperature = name.starts_with("temp_") && name.ends_with("_C");
-      const bool switched = name.ends_with("_1") && !name.starts_with("approach_") && name != "pass_1";
-      if (spec.standard_sensor.ends_with("_1") ? switched : temperature) found.push_back(name);
-      if (spec.id == "thermal_head" && switched && name.starts_with("spindle")) found.push_back(name);
+      if (suitsSensor(spec, axis, name)) found.push_back(name);
     }
     return found;
   }
@@ -142,17 +118,21 @@ class Columns {
 
 /// Bounds and starts of a parameter in the units of its place.
 SearchRange searchRange(const Machine& machine, const Placement& placement, const ParameterSpec& rule,
-                        bool grinder) {
+                        const AvailableData& data) {
   const kinematics::Joint& joint = machine.joint(placement.joint);
   const bool rotary = isRotary(joint);
   SearchRange range{.name = std::string(rule.name),
-                    .unit = std::string(unitOf(rule.quantity, placement.component.isAngular(), rotary)),
+                    .unit = std::string(unitOf(rule.quantity, unitChoice(machine, placement))),
                     .plausible = {},
                     .starts = rule.starts,
                     .choice = rule.role == Role::Choice};
   const bool angle = range.unit.starts_with("arcsec") || range.unit.starts_with("deg");
   const Plausible& plausible = rule.arc && angle ? *rule.arc : rule.linear;
-  range.plausible = grinder ? plausible.grinder : plausible.mill;
+  range.plausible = data.grinder ? plausible.grinder : plausible.mill;
+  if (rule.name == "tau" && !Columns(data).has("t_s")) {  // without time nothing lags
+    range.plausible = {};
+    range.starts = {0.0};
+  }
   if (!rule.of_travel) return range;
   const std::optional<kinematics::Travel>& travel = placement.range ? placement.range : joint.travel;
   const double low = travel ? travel->low : 0.0;
@@ -175,52 +155,94 @@ void complete(const Machine& machine, const EffectSpec& spec, Placement& placeme
   }
 }
 
-Candidate candidateAt(const Machine& machine, const EffectSpec& spec, Placement placement, bool grinder) {
+/// Whether a search varies a parameter: always, or as the form `variant` of the effect.
+bool isSearched(const Machine& machine, const Placement& placement, const ParameterSpec& rule,
+                std::string_view variant) {
+  if (rule.role != Role::NonLinear && rule.role != Role::Choice) return false;
+  if (rule.role == Role::Choice && rule.starts.size() == 1) return false;
+  if (rule.joints != JointChoice::Any) return suits(rule.joints, machine.joint(placement.joint));
+  return !rule.optional || rule.name == variant;
+}
+
+void addAt(const Machine& machine, const EffectSpec& spec, Placement placement, const AvailableData& data,
+           std::vector<Candidate>& found) {
   complete(machine, spec, placement);
-  Candidate candidate{.spec = &spec, .placement = std::move(placement), .nonlinear = {}, .columns = 0};
+  if (!checkPlacement(machine, spec, placement)) return;
+  std::vector<std::string_view> variants{""};
   for (const ParameterSpec& rule : spec.parameters) {
-    candidate.columns += rule.role == Role::Linear ? 1U : rule.role == Role::Amplitude ? 2U : 0U;
-    const bool searched = rule.role == Role::NonLinear || rule.role == Role::Choice;
-    if (searched && !rule.optional) {
-      candidate.nonlinear.push_back(searchRange(machine, candidate.placement, rule, grinder));
-    }
+    if (rule.optional && rule.joints == JointChoice::Any) variants.push_back(rule.name);
   }
-  return candidate;
+  for (const std::string_view variant : variants) {
+    Candidate candidate{.spec = &spec, .placement = placement, .columns = 0};
+    for (const ParameterSpec& rule : spec.parameters) {
+      candidate.columns += rule.role == Role::Linear ? 1U : rule.role == Role::Amplitude ? 2U : 0U;
+      if (isSearched(machine, placement, rule, variant)) {
+        candidate.nonlinear.push_back(searchRange(machine, placement, rule, data));
+      }
+    }
+    found.push_back(std::move(candidate));
+  }
 }
 
 void addWithSensors(const Machine& machine, const EffectSpec& spec, const Placement& place,
-                    const std::vector<std::string>& sensors, bool grinder, std::vector<Candidate>& found) {
+                    const std::vector<std::string>& sensors, const AvailableData& data,
+                    std::vector<Candidate>& found) {
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     Placement placement = place;
     placement.sensor = sensors[i];
-    if (spec.sensors < 2) {
-      found.push_back(candidateAt(machine, spec, placement, grinder));
-      continue;
-    }
-    for (std::size_t j = i + 1; j < sensors.size(); ++j) {
+    if (spec.sensors < 2) addAt(machine, spec, placement, data, found);
+    for (std::size_t j = i + 1; j < sensors.size() && spec.sensors == 2; ++j) {
       placement.sensor_2 = sensors[j];
-      found.push_back(candidateAt(machine, spec, placement, grinder));
+      addAt(machine, spec, placement, data, found);
     }
   }
 }
 
 }  // namespace
 
+std::vector<Component> componentsOf(const Machine& machine, int index, const EffectSpec& spec) {
+  const kinematics::Joint& joint = machine.joint(index);
+  const bool rotary = isRotary(joint);
+  const int own = rowAlong(joint);
+  const int second = (own + 1) % 3;
+  std::vector<Component> found;
+  const auto add = [&](int row, bool location = false) { found.push_back({joint.axis, row, location}); };
+  if ((spec.sites & kOwn) != 0) found.push_back(positioningOf(joint));
+  if ((spec.sites & kLateral) != 0 && !rotary) {
+    for (int row = 0; row < 3; ++row) {
+      if (row != own) add(row);
+    }
+  }
+  if ((spec.sites & kTilt) != 0) {
+    for (int row = 0; row < 3; ++row) {
+      if (!rotary || row != own) add(row + 3);
+    }
+  }
+  if ((spec.sites & kRadialPair) != 0 && rotary) add(second);
+  if ((spec.sites & kTiltPair) != 0 && rotary) add(second + 3);
+  if ((spec.sites & kAxial) != 0 && rotary) add(own);
+  return found;
+}
+
+UnitChoice unitChoice(const Machine& machine, const Placement& placement) {
+  return {.angular = placement.component.isAngular(),
+          .rotary = machine.isRotary(placement.joint),
+          .of_other_than_feed = !placement.sensor.empty() && !placement.sensor.ends_with("_mm_min")};
+}
+
 std::vector<Candidate> candidatesFor(const Machine& machine, const AvailableData& data) {
   const Columns columns(data);
   std::vector<Candidate> found;
   for (const EffectSpec& spec : effectCatalogue()) {
     if (spec.kind == EffectKind::Measurement || spec.id == "table" || spec.id == "nonparametric") continue;
-    const std::vector<std::string> sensors =
-        spec.sensors > 0 ? columns.sensors(spec) : std::vector<std::string>();
     for (const Placement& place : placementsOf(machine, spec)) {
-      if (!columns.knows(spec.covariates, machine.joint(place.joint))) continue;
+      const kinematics::Joint& joint = machine.joint(place.joint);
+      if (!columns.knows(spec.covariates, joint)) continue;
       if (spec.sensors > 0) {
-        addWithSensors(machine, spec, place, sensors, data.grinder, found);
-        continue;
+        addWithSensors(machine, spec, place, columns.sensors(spec, joint.axis), data, found);
+      } else {
+        addAt(machine, spec, place, data, found);
       }
-      Candidate candidate = candidateAt(machine, spec, place, data.grinder);
-      if (checkPlacement(machine, spec, candidate.placement)) found.push_back(std::move(candidate));
     }
   }
   return found;

@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "core/errors/effect_factory.h"
 #include "core/errors/effect_makers.h"
+#include "core/errors/nonparametric_effect.h"
 #include "core/errors/table_effects.h"
 
 namespace nineline::errors {
@@ -102,8 +103,7 @@ Result<std::vector<Parameter>> readParameters(JsonReader& reader, const EffectSp
   if (all.failed()) return all.error();
   std::vector<Parameter> parameters;
   for (const ParameterSpec& rule : spec.parameters) {
-    std::string unit(
-        unitOf(rule.quantity, placement.component.isAngular(), machine.isRotary(placement.joint)));
+    std::string unit(unitOf(rule.quantity, unitChoice(machine, placement)));
     if (!all.has(rule.name)) {
       if (rule.otherwise || rule.optional) continue;
       all.fail(rule.name, "model.parameter",
@@ -168,6 +168,21 @@ Result<std::shared_ptr<Effect>> readParametric(JsonReader& reader, const EffectS
   return reader.error();
 }
 
+/// What `joint` alone means: its positioning, or the one component at which the effect acts.
+std::optional<Component> standardComponent(JsonReader& reader, const Machine& machine, int joint,
+                                           std::string_view effect) {
+  const EffectSpec* spec = findEffectSpec(effect);
+  const bool several = spec != nullptr && (spec->sites & (kLateral | kTilt)) != 0;
+  std::vector<Component> found;
+  if (spec != nullptr && !several) found = componentsOf(machine, joint, *spec);
+  if (!found.empty()) return found.front();
+  if (!several) return positioningOf(machine.joint(joint));
+  reader.fail("component", "json.missing",
+              fmt::format("'component' is missing, expected which error of axis {} the effect '{}' adds to.",
+                          machine.joint(joint).axis.text(), effect));
+  return std::nullopt;
+}
+
 /// The joint and component of an entry: `component` alone is enough where it names the joint, `joint` alone
 /// means the joint's positioning.
 std::optional<Component> readComponent(JsonReader& reader, const Machine& machine, std::string_view effect) {
@@ -193,7 +208,8 @@ std::optional<Component> readComponent(JsonReader& reader, const Machine& machin
                 fmt::format("the machine '{}' has no axis {}.", machine.id(), joint));
     return std::nullopt;
   }
-  if (!component) component = positioningOf(machine.joint(index));
+  if (!component) component = standardComponent(reader, machine, index, effect);
+  if (!component) return std::nullopt;
   if (!(component->axis == *axis)) {
     reader.fail("component", "model.component",
                 fmt::format("component {} belongs to axis {}, but 'joint' is {}.", component->text(),
@@ -211,6 +227,7 @@ Result<std::shared_ptr<Effect>> readEffect(JsonReader& reader, const Machine& ma
   if (!component) return reader.error();
   const int joint = machine.find(component->axis);
   if (id == "table") return TableEffect::fromJson(reader, machine, joint, *component);
+  if (id == "nonparametric") return NonparametricEffect::fromJson(reader, machine, joint, *component);
   if (id == "location") return LocationEffect::fromJson(reader, joint, *component);
   return readParametric(reader, *findEffectSpec(id), machine, joint, *component);
 }
@@ -230,6 +247,11 @@ Result<EffectPtr> effectFromJson(const Json& json, const std::string& source, st
   JsonReader reader(json, source, fmt::format("effect {}", number));
   const std::string id = reader.string("effect");
   if (reader.failed()) return reader.error();
+  if (const EffectSpec* spec = findEffectSpec(id); spec != nullptr && spec->kind == EffectKind::Measurement) {
+    reader.fail("effect", "model.effect",
+                fmt::format("'{}' is an error of a measurement and no part of a machine's model.", id));
+    return reader.error();
+  }
   const std::vector<std::string> known = knownEffects();
   if (std::find(known.begin(), known.end(), id) == known.end()) {
     reader.fail("effect", "model.effect",

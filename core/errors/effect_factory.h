@@ -36,9 +36,26 @@ struct FittedParameters {
 /// Turns fitted coefficients into amplitude and phase (−180 to 180 deg), or takes them over; with a
 /// covariance of the coefficients the uncertainties follow to first order. Non-linear parameters keep the
 /// uncertainty that they come with. The phase of a wave of amplitude 0 is 0, its uncertainty 180 deg.
-[[nodiscard]] FittedParameters parametersOf(const kinematics::Machine& machine, const EffectSpec& spec,
-                                            const Placement& placement, std::span<const Parameter> nonlinear,
+[[nodiscard]] FittedParameters parametersOf(const EffectSpec& spec, const UnitChoice& units,
+                                            std::span<const Parameter> nonlinear,
                                             const Eigen::VectorXd& coefficients,
                                             const Eigen::MatrixXd* covariance = nullptr);
+[[nodiscard]] inline FittedParameters parametersOf(const kinematics::Machine& machine, const EffectSpec& spec,
+                                                   const Placement& placement,
+                                                   std::span<const Parameter> nonlinear,
+                                                   const Eigen::VectorXd& coefficients,
+                                                   const Eigen::MatrixXd* covariance = nullptr) {
+  return parametersOf(spec, unitChoice(machine, placement), nonlinear, coefficients, covariance);
+}
+
+/// The parameter sets behind `linearBasis`, one for each coefficient.
+[[nodiscard]] std::vector<std::vector<Parameter>> unitParameters(const EffectSpec& spec,
+                                                                 const UnitChoice& units,
+                                                                 std::span<const Parameter> nonlinear);
+
+/// A full and checked set of parameters from those given: standard values filled in, units and sizes tested.
+[[nodiscard]] Result<std::vector<Parameter>> completeParameters(const EffectSpec& spec,
+                                                                const UnitChoice& units,
+                                                                std::span<const Parameter> values);
 
 }  // namespace nineline::errors

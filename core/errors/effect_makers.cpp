@@ -7,8 +7,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/errors/dynamic_effects.h"
+#include "core/errors/load_effects.h"
 #include "core/errors/position_effects.h"
 #include "core/errors/reversal_effects.h"
+#include "core/errors/rotary_effects.h"
 #include "core/errors/table_effects.h"
 #include "core/errors/thermal_effects.h"
 
@@ -30,7 +33,7 @@ std::shared_ptr<Effect> make(const EffectParts& parts) {
 
 std::shared_ptr<Effect> makeLocation(const EffectParts& parts) {
   const Parameter& value = parts.parameters.front();
-  const double scale = scaleOf(Quantity::Error, parts.placement.component.isAngular(), false);
+  const double scale = scaleOf(Quantity::Error, unitChoice(parts.machine, parts.placement));
   const std::optional<double> sigma =
       value.sigma ? std::optional(*value.sigma * scale) : std::optional<double>();
   return std::make_shared<LocationEffect>(parts.placement.joint, parts.placement.component,
@@ -46,8 +49,44 @@ constexpr std::array kMakers{
     MakerEntry{"location", &makeLocation},
     MakerEntry{"scale", &make<ScaleEffect>},
     MakerEntry{"cyclic", &make<WaveEffect>},
+    MakerEntry{"straightness", &make<BendEffect>},
+    MakerEntry{"angular", &make<BendEffect>},
+    MakerEntry{"periodic_tilt", &make<WaveEffect>},
+    MakerEntry{"eccentricity", &make<TurningEffect>},
+    MakerEntry{"lobing", &make<TurningEffect>},
+    MakerEntry{"wobble", &make<TurningEffect>},
+    MakerEntry{"axial_runout", &make<WaveEffect>},
+    MakerEntry{"encoder_eccentricity", &make<WaveEffect>},
+    MakerEntry{"encoder_subdivision", &make<WaveEffect>},
     MakerEntry{"backlash", &make<BacklashEffect>},
+    MakerEntry{"lateral_play", &make<SideEffect>},
+    MakerEntry{"angular_play", &make<SideEffect>},
+    MakerEntry{"windup", &make<SideEffect>},
+    MakerEntry{"lost_motion", &make<SideEffect>},
+    MakerEntry{"hysteresis", &make<HysteresisEffect>},
+    MakerEntry{"reversal_spike", &make<SpikeEffect>},
+    MakerEntry{"friction_speed", &make<FrictionEffect>},
+    MakerEntry{"servo_lag", &make<DelayEffect>},
+    MakerEntry{"acceleration", &make<AccelerationEffect>},
+    MakerEntry{"sync_delay", &make<DelayEffect>},
+    MakerEntry{"vibration", &make<VibrationEffect>},
+    MakerEntry{"counterweight", &make<CounterweightEffect>},
     MakerEntry{"thermal_screw", &make<GrowthEffect>},
+    MakerEntry{"thermal_scale", &make<GrowthEffect>},
+    MakerEntry{"thermal_head", &make<LagEffect>},
+    MakerEntry{"thermal_ambient", &make<LagEffect>},
+    MakerEntry{"coolant", &make<LagEffect>},
+    MakerEntry{"thermal_tilt", &make<DifferenceEffect>},
+    MakerEntry{"thermal_workpiece", &make<GrowthEffect>},
+    MakerEntry{"drift", &make<DriftEffect>},
+    MakerEntry{"sag", &make<SagEffect>},
+    MakerEntry{"load_deformation", &make<LoadEffect>},
+    MakerEntry{"load_tilt", &make<LoadEffect>},
+    MakerEntry{"wheel_wear", &make<WearEffect>},
+    MakerEntry{"wheel_deflection", &make<DeflectionEffect>},
+    MakerEntry{"spark_out", &make<DeflectionEffect>},
+    MakerEntry{"workpiece_bending", &make<LoadEffect>},
+    MakerEntry{"clamping", &make<TurningEffect>},
 };
 
 bool onlySites(const EffectSpec& spec, unsigned allowed) {
@@ -162,7 +201,11 @@ std::string faultOf(const ParameterSpec& rule, const Parameter& parameter) {
   if (rule.name == "tau" && rule.quantity == Quantity::Duration && parameter.value < 0.0) {
     return fmt::format("'tau' is {}, expected 0 or more.", parameter.value);
   }
-  if (rule.role == Role::Choice &&
+  const bool any_number = rule.name == "n" && rule.starts.size() > 1;
+  if (any_number && (parameter.value != std::round(parameter.value) || parameter.value < 2.0)) {
+    return fmt::format("'n' is {}, expected a whole number from 2 on.", parameter.value);
+  }
+  if (rule.role == Role::Choice && !any_number &&
       std::find(rule.starts.begin(), rule.starts.end(), parameter.value) == rule.starts.end()) {
     return fmt::format("'{}' is {}, expected one of {}.", parameter.name, parameter.value,
                        fmt::join(rule.starts, ", "));
@@ -181,6 +224,13 @@ Result<std::shared_ptr<Effect>> assembleEffect(EffectParts parts) {
         parts.spec.kind == EffectKind::Measurement
             ? fmt::format("'{}' is an error of a measurement, no motion of the machine.", parts.spec.id)
             : fmt::format("'{}' is not made of parameters.", parts.spec.id));
+  }
+  if (parts.spec.id == "encoder_subdivision" && parts.has("n") == parts.has("period")) {
+    return placementFault("'encoder_subdivision' needs either 'n' or 'period'.");
+  }
+  if (parts.has("n") && parts.joint().type == kinematics::JointType::Linear) {
+    return placementFault(
+        fmt::format("'n' counts waves a turn; axis {} is linear.", parts.joint().axis.text()));
   }
   return found->make(parts);
 }

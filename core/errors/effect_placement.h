@@ -28,6 +28,14 @@ struct Placement {
   }
 };
 
+/// What decides the units of an effect's parameters at a place.
+[[nodiscard]] UnitChoice unitChoice(const kinematics::Machine& machine, const Placement& placement);
+
+/// The components of a joint at which a kind of effect is looked for; where it acts on several at once, the
+/// first names them.
+[[nodiscard]] std::vector<Component> componentsOf(const kinematics::Machine& machine, int joint,
+                                                  const EffectSpec& spec);
+
 /// A non-linear parameter of a candidate, in the units of the placement (mm or deg, not travels).
 struct SearchRange {
   std::string name{};

@@ -32,6 +32,8 @@ const ParameterSpec* EffectSpec::find(std::string_view name) const {
   return found == parameters.end() ? nullptr : &*found;
 }
 
+bool EffectSpec::isActiveByDefault() const { return kind == EffectKind::Machine && id != "nonparametric"; }
+
 const std::vector<EffectSpec>& effectCatalogue() {
   static const std::vector<EffectSpec> kAll = allSpecs();
   return kAll;
@@ -44,7 +46,9 @@ const EffectSpec* findEffectSpec(std::string_view id) {
   return found == all.end() ? nullptr : &*found;
 }
 
-std::string_view unitOf(Quantity quantity, bool angular, bool rotary) {
+std::string_view unitOf(Quantity quantity, const UnitChoice& choice) {
+  const bool angular = choice.angular;
+  const bool rotary = choice.rotary;
   switch (quantity) {
     case Quantity::Error:
       return angular ? "arcsec" : "um";
@@ -71,6 +75,7 @@ std::string_view unitOf(Quantity quantity, bool angular, bool rotary) {
     case Quantity::PerAcceleration:
       return "um/(m/s²)";
     case Quantity::PerSpeed:
+      if (choice.of_other_than_feed) return angular ? "arcsec/1" : "um/1";
       return angular ? "arcsec/(m/min)" : "um/(m/min)";
     case Quantity::PerTemperature:
       return angular ? "arcsec/C" : "um/C";
@@ -88,8 +93,9 @@ std::string_view unitOf(Quantity quantity, bool angular, bool rotary) {
   return "um/m²";
 }
 
-double scaleOf(Quantity quantity, bool angular, bool rotary) {
-  const double error = angular ? radFromArcsec(1.0) : mmFromUm(1.0);
+double scaleOf(Quantity quantity, const UnitChoice& choice) {
+  const bool rotary = choice.rotary;
+  const double error = choice.angular ? radFromArcsec(1.0) : mmFromUm(1.0);
   switch (quantity) {
     case Quantity::Error:
     case Quantity::PerTemperature:
@@ -108,7 +114,7 @@ double scaleOf(Quantity quantity, bool angular, bool rotary) {
     case Quantity::Delay:
       return kSecondsPerMillisecond;
     case Quantity::PerSpeed:
-      return error / perSecondFromPerMinute(kMillimetresPerMetre);
+      return choice.of_other_than_feed ? error : error / perSecondFromPerMinute(kMillimetresPerMetre);
     case Quantity::PerHour:
       return error / kSecondsPerHour;
     case Quantity::PerArea:

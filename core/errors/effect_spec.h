@@ -26,7 +26,7 @@ enum class Quantity {
   Delay,            ///< ms
   Duration,         ///< s
   PerAcceleration,  ///< um/(m/s²)
-  PerSpeed,         ///< um/(m/min)
+  PerSpeed,         ///< um/(m/min); um/1 where the cause is no feed
   PerTemperature,   ///< um/C or arcsec/C
   Temperature,      ///< C
   PerLoad,          ///< um/kg or arcsec/kg
@@ -44,12 +44,16 @@ enum class Role {
   Choice      ///< one of `starts`, never between them
 };
 
+/// Joints that an effect may sit on.
+enum class JointChoice { Linear, Rotary, Any };
+
 struct Bounds {
   double low = 0.0;
   double high = 0.0;
 };
 
-/// What is plausible on a precision grinder and on a general mill, in the parameter's unit.
+/// What is plausible, the amount without its sign for linear parameters: on a precision grinder and on a
+/// general mill, in the parameter's unit.
 struct Plausible {
   Bounds grinder{};
   Bounds mill{};
@@ -64,13 +68,11 @@ struct ParameterSpec {
   std::optional<Plausible> arc{};  ///< where the unit is that of an angle; absent: as `linear`
   std::vector<double> starts{};    ///< values to begin a search at; fractions of the travel where `of_travel`
   bool of_travel = false;          ///< bounds and starts count in travels from its lower end
-  std::optional<double> otherwise{};  ///< taken where a file does not state the parameter
-  bool optional = false;              ///< may be left out, which is another form of the effect
-  int sign = 0;                       ///< +1: physics allows no negative value
+  std::optional<double> otherwise{};      ///< taken where a file does not state the parameter
+  bool optional = false;                  ///< may be left out, which is another form of the effect
+  int sign = 0;                           ///< +1: physics allows no negative value
+  JointChoice joints = JointChoice::Any;  ///< joints of which it makes sense
 };
-
-/// Joints that an effect may sit on.
-enum class JointChoice { Linear, Rotary, Any };
 
 /// Components that an effect may add to; flags.
 enum Sites : unsigned {
@@ -128,6 +130,8 @@ struct EffectSpec {
   ShopFloor shop_floor{};
 
   [[nodiscard]] const ParameterSpec* find(std::string_view name) const;
+  /// Whether compensation counts with it unless the user says otherwise.
+  [[nodiscard]] bool isActiveByDefault() const;
 };
 
 /// Every effect of contract.md's table, in its order.
@@ -135,9 +139,16 @@ struct EffectSpec {
 /// nullptr for an unknown id.
 [[nodiscard]] const EffectSpec* findEffectSpec(std::string_view id);
 
-/// The unit of a parameter at a component ("um", "arcsec/C"), as in contract.md.
-[[nodiscard]] std::string_view unitOf(Quantity quantity, bool angular, bool rotary);
+/// What decides the unit of a parameter besides its quantity.
+struct UnitChoice {
+  bool angular = false;             ///< of the component
+  bool rotary = false;              ///< of the joint
+  bool of_other_than_feed = false;  ///< PerSpeed: the cause is another column, in its own unit
+};
+
+/// The unit of a parameter ("um", "arcsec/C"), as in contract.md.
+[[nodiscard]] std::string_view unitOf(Quantity quantity, const UnitChoice& choice);
 /// One of that unit in the program's own (mm, rad, s, °C).
-[[nodiscard]] double scaleOf(Quantity quantity, bool angular, bool rotary);
+[[nodiscard]] double scaleOf(Quantity quantity, const UnitChoice& choice);
 
 }  // namespace nineline::errors

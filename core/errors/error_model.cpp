@@ -45,6 +45,15 @@ ErrorModel ErrorModel::withRotationModel(RotationModel form) const {
   return model;
 }
 
+ErrorModel ErrorModel::onlyActive() const {
+  ErrorModel model = *this;
+  std::erase_if(model.effects_, [](const EffectPtr& effect) { return !effect->isActive(); });
+  model.references_.clear();
+  NL_EXPECTS(model.collectReferences().has_value());  // they agreed in the whole model
+  model.prepare();
+  return model;
+}
+
 Result<void> ErrorModel::collectReferences() {
   for (const EffectPtr& effect : effects_) {
     const auto* table = dynamic_cast<const TableEffect*>(effect.get());

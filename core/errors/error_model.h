@@ -32,6 +32,8 @@ class ErrorModel {
   [[nodiscard]] ErrorModel withRotationModel(RotationModel form) const;
   [[nodiscard]] RotationModel rotationModel() const { return rotation_model_; }
   [[nodiscard]] const std::vector<EffectPtr>& effects() const { return effects_; }
+  /// The model that compensation inverts: without the effects that are not active.
+  [[nodiscard]] ErrorModel onlyActive() const;
 
   /// Displacement of every joint at a state; `memory` empty for a single instant.
   void displacements(const MachineState& state, std::span<const double> memory,

@@ -80,7 +80,7 @@ Json errorModelToJson(const ErrorModel& model) {
   for (const EffectPtr& effect : model.effects()) {
     Json entry = effect->toJson(machine);
     const EffectSpec* spec = findEffectSpec(effect->id());
-    const bool active = spec == nullptr || spec->kind == EffectKind::Machine;
+    const bool active = spec == nullptr || spec->isActiveByDefault();
     if (effect->isActive() != active) entry.set("active", effect->isActive());
     if (!effect->provenance().source.empty()) entry.set("source", effect->provenance().source);
     if (!effect->provenance().when.empty()) entry.set("when", effect->provenance().when);

@@ -36,8 +36,7 @@ double EffectParts::value(std::string_view name) const {
   const Parameter* parameter = findParameter(parameters, name);
   const ParameterSpec* rule = spec.find(name);
   NL_EXPECTS(parameter != nullptr && rule != nullptr, name);
-  return parameter->value * scaleOf(rule->quantity, placement.component.isAngular(),
-                                    joint().type == kinematics::JointType::Rotary);
+  return parameter->value * scaleOf(rule->quantity, unitChoice(machine, placement));
 }
 
 double EffectParts::valueOr(std::string_view name, double otherwise) const {
@@ -49,7 +48,7 @@ ParametricEffect::ParametricEffect(EffectParts parts)
       spec_(parts.spec),
       placement_(std::move(parts.placement)),
       parameters_(std::move(parts.parameters)) {
-  setActive(spec_.kind == EffectKind::Machine);
+  setActive(spec_.isActiveByDefault());
 }
 
 std::optional<double> ParametricEffect::velocity(const MachineState& state) const {

@@ -88,7 +88,8 @@ std::vector<BadModel> badHeads() {
       {modelText("", "{\"format\": \"x\"}"), "machine.format", "2", "'x'"},
       {modelText("{\"joint\": \"X\"}"), "json.missing", "4", "'effect' is missing"},
       {modelText("{\"effect\": \"magic\"}"), "model.effect", "4", "'magic'"},
-      {modelText("{\"effect\": \"wobble\", \"joint\": \"C\"}"), "model.effect", "4", "'wobble'"},
+      {modelText("{\"effect\": \"wobble\", \"joint\": \"C\"}"), "json.missing", "4", "'parameters'"},
+      {modelText("{\"effect\": \"cosine\", \"joint\": \"X\"}"), "model.effect", "4", "'cosine'"},
       {modelText("[1]"), "json.type", "4", "list"},
       {modelText("{\"effect\": \"table\"} x"), "", "4", "x"},
   };
@@ -198,12 +199,6 @@ void expectRefused(const std::vector<BadModel>& models) {
 TEST(ErrorModelFile, RefusesBadHeadsWithTheirPlace) { expectRefused(badHeads()); }
 TEST(ErrorModelFile, RefusesBadTablesWithTheirPlace) { expectRefused(badTables()); }
 TEST(ErrorModelFile, RefusesBadParametersWithTheirPlace) { expectRefused(badParameters()); }
-
-TEST(ErrorModelFile, KnowsItsEffects) {
-  const std::vector<std::string> expected = {"table",  "location", "scale",
-                                             "cyclic", "backlash", "thermal_screw"};
-  EXPECT_EQ(knownEffects(), expected);
-}
 
 }  // namespace
 }  // namespace nineline::errors
