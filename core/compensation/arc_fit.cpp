@@ -66,9 +66,9 @@ Result<bool> MotionPlanner::arcFits(const Motion& motion, const Node& a, const N
   const double bend = (inPlane(motion, piece.end) - inPlane(motion, from) - way).norm();
   const double turn = std::abs(motion.sweep) * part;
   const double arc_length = turn * (ideal_start - Vector2d(motion.centre[0], motion.centre[1])).norm();
-  if (turn > kAlmostTurn && bend > options_.tolerance && may_split_) return false;
-  if (turn > kAlmostTurn || (arc_length < kShortArc && bend > 0.25 * way.norm()))
-    setInPlane(motion, inPlane(motion, from) + way, piece.end);
+  if (turn > kAlmostTurn && bend > options_.tolerance && scope_.may_split) return false;
+  piece.closes = turn > kAlmostTurn || (arc_length < kShortArc && bend > 0.25 * way.norm());
+  if (piece.closes) setInPlane(motion, inPlane(motion, from) + way, piece.end);
   std::vector<Node> nodes;
   std::vector<Vector2d> points = {inPlane(motion, from), inPlane(motion, piece.end)};
   for (int i = 1; i <= inner; ++i) {

@@ -42,6 +42,8 @@ Timing timingOf(const nc::Block& block) {
   return timing;
 }
 
+constexpr double kCrossingFeed = 600.0;  // 1/min: play is crossed in a tenth of a second
+
 /// The fewest decimals that state a feed to six.
 int feedDecimals(double feed) {
   constexpr int kMost = 6;
@@ -81,13 +83,14 @@ bool setsModes(const nc::Block& block, int motion_code) {
 
 Result<void> ProgramCorrector::correctMotion(const ExecutedBlock& executed, const Motion& motion) {
   const nc::Block& block = *executed.block;
+  const Timing timing = timingOf(block);
+  chooseTurning(executed, motion, timing.at_end);
   writable_ = writableAxes(executed, motion);
   frame_ = shiftedFrame(*executed.frame);
-  const Timing timing = timingOf(block);
   const bool several_turns = motion.kind == MotionKind::Arc && std::abs(motion.sweep) > kTurn + 1e-9;
   const bool own_first = setsModes(block, executed.motion_code);
   const bool may_split = !((timing.at_start || own_first) && timing.at_end) && !several_turns;
-  if (Result<void> planned = planner_.plan(motion, writable_, emitted_.position(), may_split, pieces_);
+  if (Result<void> planned = planner_.plan(motion, scopeOf(may_split), emitted_.position(), pieces_);
       !planned)
     return planned;
   const bool drops_take_up = own_first && motion.kind == MotionKind::Arc && pieces_.front().take_up;
@@ -120,11 +123,24 @@ Result<void> ProgramCorrector::correctMotion(const ExecutedBlock& executed, cons
     line_ += line_end;
   }
   written_.back().to = pieces_.back().to;
+  putFeedBack(block, line_end);
   // Only the last line of a file may lack its end.
   if (block.line_end.empty()) line_.pop_back();
   log_.add(written_);
   if (changed_ || written_.size() > 1) ++report_.corrected;
   return assembler_.put(block.line, line_);
+}
+
+MotionPlanner::Scope ProgramCorrector::scopeOf(bool may_split) const {
+  MotionPlanner::Scope scope;
+  scope.free = writable_;
+  scope.held = turning_ == TurnWriting::Alone ? linearAxes() : AxisMask{0};
+  scope.may_split = may_split;
+  for (int i = 0; i < layout_.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    scope.grid[k] = nc::contains(frame_.incremental, i) ? emitted_.position()[k] : frame_.shift[k];
+  }
+  return scope;
 }
 
 int ProgramCorrector::codeOf(const ExecutedBlock& executed, const Motion& motion, const Piece& piece) const {
@@ -142,7 +158,9 @@ void ProgramCorrector::writeOwnLine(const ExecutedBlock& executed, const Motion&
     editor_.addCode(executed.motion_code);
   }
   active_code_ = executed.motion_code;
+  const AxisValues from = emitted_.position();
   writeAxisWords(motion, piece, executed.has_word, executed.centre_absolute, block.find('R') != nullptr);
+  stateTurningFeed(motion, piece, from);
   if (motion.feed_mode == nc::FeedMode::InverseTime && pieces_.size() > 1) {
     const nc::Word* feed = block.find('F');
     if (feed != nullptr && !piece.take_up) {
@@ -171,9 +189,12 @@ bool ProgramCorrector::writeInsertedLine(const ExecutedBlock& executed, const Mo
   }
   const nc::Word* feed = block.find('F');
   const bool inverse = motion.feed_mode == nc::FeedMode::InverseTime;
-  if (feed != nullptr && (inverse || (before_own && !piece.take_up))) {
-    const double share = inverse && !piece.take_up ? piece.to - piece.from : 1.0;
-    const double value = feed->value / share;
+  if (turning_ == TurnWriting::RestateFeed) {
+    stateTurningFeed(motion, piece, from);
+  } else if (feed != nullptr && (inverse || (before_own && !piece.take_up))) {
+    const double share = inverse ? piece.to - piece.from : 1.0;
+    const double value =
+        piece.take_up && inverse ? std::max(feed->value, kCrossingFeed) : feed->value / share;
     editor_.setWord('F', value, feedDecimals(value));
   }
   editor_.finish(line_);
@@ -183,7 +204,11 @@ bool ProgramCorrector::writeInsertedLine(const ExecutedBlock& executed, const Mo
 void ProgramCorrector::writeAxisWords(const Motion& motion, const Piece& piece, AxisMask named,
                                       bool centre_absolute, bool by_radius) {
   const AxisValues from = emitted_.position();
-  emitted_.moveTo(frame_, piece.end, named, writable_, decimals_, words_);
+  if (turning_ == TurnWriting::NoTurn || piece.take_up) {
+    emitted_.moveTo(frame_, piece.end, named, writable_, decimals_, words_);
+  } else {
+    moveBeside(motion, piece, named);
+  }
   for (const EmittedPosition::Word& word : words_) {
     const auto k = static_cast<std::size_t>(word.axis);
     changed_ = editor_.setAxis(layout_.axes[k].id, word.value, decimals_[k]) || changed_;

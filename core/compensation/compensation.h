@@ -19,6 +19,12 @@ enum class Mode {
             ///< (theory.md, 1.7)
 };
 
+/// What becomes of blocks that turn rotary axes alone, where F counts degrees.
+enum class TurningFeed {
+  Auto,  ///< linear words where the stated control keeps the turning speed; see resources/docs/adr/006
+  Alone  ///< no linear words: their deviation remains
+};
+
 struct CompensationOptions {
   double tolerance = 1e-4;  ///< mm: largest deviation along a block before it is subdivided
   double angle_tolerance = radFromArcsec(0.1);  ///< rad: the same for the tool axis
@@ -27,6 +33,7 @@ struct CompensationOptions {
   bool keep_block_count = false;                      ///< never insert lines
   bool correct_rapids = true;                         ///< ends of G00 motions; off: they stay as programmed
   Mode mode = Mode::Auto;
+  TurningFeed turning = TurningFeed::Auto;
   std::optional<int> linear_decimals;  ///< digits after the point; absent: as in the program
   std::optional<int> rotary_decimals;
 };

@@ -63,9 +63,10 @@ Result<void> ProgramCorrector::correctCycle(const ExecutedBlock& executed) {
   const int axis = drillingAxis(executed, layout_.count, bottom);
   if (axis < 0) return keepAsItIs(executed);
   const Motion& last = executed.motions.back();
+  turning_ = TurnWriting::NoTurn;
   writable_ = writableAxes(executed, last);
   frame_ = shiftedFrame(*executed.frame);
-  if (Result<void> planned = planner_.plan(bottom, writable_, bottom.start, false, pieces_); !planned)
+  if (Result<void> planned = planner_.plan(bottom, scopeOf(false), bottom.start, pieces_); !planned)
     return planned;
   const AxisMask plane = static_cast<AxisMask>(planner_.freeAxes() & ~nc::axisBit(axis));
   const auto along = static_cast<std::size_t>(axis);

@@ -60,16 +60,19 @@ MotionPlanner::MotionPlanner(const ErrorModel& model, const ProgramSetup& setup,
           machine_.joint(i).direction.dot(machine_.isRotary(i) ? moved.rotation : moved.translation);
     }
     play_[k] = along[0] - along[1];
+    has_play_ = has_play_ || play_[k] != 0.0;
   }
 }
 
 void MotionPlanner::setResolution(double linear, double rotary) {
   options_.tolerance = std::max(options_.tolerance, 0.5 * linear);
   options_.angle_tolerance = std::max(options_.angle_tolerance, 0.5 * rotary);
+  rotary_step_ = rotary;
 }
 
 void MotionPlanner::pass(const Motion& motion) {
   updateSenses(motion, 0.0, 1.0);
+  now_ = senses_;
   last_.reset();
 }
 
@@ -113,7 +116,7 @@ Result<MotionPlanner::Node> MotionPlanner::solveAt(const Motion& motion, double 
   node.ideal = *ideal;
   JointPositions guess = node.ideal;
   for (std::size_t k = 0; k < guess.size(); ++k) {
-    if ((free_ >> k & 1U) != 0) guess[k] += correction_[k];
+    if (((free_ | scope_.held) >> k & 1U) != 0) guess[k] += correction_[k];
   }
   Result<JointPositions> corrected =
       solver_.solve({node.ideal, senses_, free_, advanceAt(motion, fraction)}, guess);
@@ -121,6 +124,10 @@ Result<MotionPlanner::Node> MotionPlanner::solveAt(const Motion& motion, double 
   node.corrected = *corrected;
   for (std::size_t k = 0; k < guess.size(); ++k) correction_[k] = node.corrected[k] - node.ideal[k];
   if (Result<void> fine = checkLimits(node, motion); !fine) return fine.error();
+  if (!has_play_) return node;
+  for (std::size_t k = 0; k < guess.size(); ++k) {
+    if (isFree(k)) node.corrected[k] -= 0.5 * senses_[k] * play_[k];
+  }
   return node;
 }
 
@@ -148,66 +155,18 @@ Result<void> MotionPlanner::checkLimits(const Node& node, const Motion& motion) 
   return {};
 }
 
-/// Whether a joint with play turns back against its last sense.
-bool MotionPlanner::reverses(const Senses& before) const {
-  for (std::size_t k = 0; k < senses_.size(); ++k) {
-    if (play_[k] != 0.0 && (free_ >> k & 1U) != 0 && before[k] != 0 && senses_[k] != before[k]) return true;
-  }
-  return false;
-}
-
-/// A joint with play that reverses while others move must cross its play first, alone.
-bool MotionPlanner::needsTakeUp(const Motion& motion, const Senses& before) const {
-  int moving = 0;
-  for (int i = 0; i < machine_.jointCount(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (isInPlane(motion, i) || std::abs(motion.end[k] - motion.start[k]) > kStandstill) ++moving;
-  }
-  return moving > 1 && reverses(before);
-}
-
-void MotionPlanner::emit(const Motion& motion, const Node& b, Piece piece, std::vector<Piece>& pieces) {
-  JointPositions q = b.corrected;
-  JointPositions crossing = held_;
-  bool crosses = false;
-  for (std::size_t k = 0; k < q.size(); ++k) {
-    if (play_[k] == 0.0 || !resting_[k] || (free_ >> k & 1U) == 0) continue;
-    q[k] += 0.5 * (now_[k] - senses_[k]) * play_[k];
-    const double travel = q[k] - held_[k];
-    if (now_[k] == 0 && std::abs(travel) > kStandstill) {  // the first motion of all finds the play taken up
-      now_[k] = travel > 0.0 ? 1 : -1;
-      q[k] += 0.5 * now_[k] * play_[k];
-    } else if (travel * now_[k] < 0.0 && std::abs(travel) <= options_.tolerance) {
-      q[k] = held_[k];
-    } else if (travel * now_[k] < 0.0) {
-      now_[k] = static_cast<std::int8_t>(-now_[k]);
-      q[k] += now_[k] * play_[k];
-      crossing[k] += now_[k] * play_[k];
-      crosses = true;
-    }
-  }
-  if (crosses && may_split_ && motion.kind != MotionKind::Rapid) {
-    Piece take_up;
-    take_up.end = valuesOf(machine_, crossing, motion.tool_centre_point);
-    take_up.from = take_up.to = piece.from;
-    take_up.take_up = true;
-    pieces.push_back(take_up);
-  }
-  held_ = q;
-  piece.end = valuesOf(machine_, q, motion.tool_centre_point);
-  pieces.push_back(piece);
-}
-
-Result<void> MotionPlanner::plan(const Motion& motion, unsigned free, const AxisValues& from, bool may_split,
+Result<void> MotionPlanner::plan(const Motion& motion, const Scope& scope, const AxisValues& from,
                                  std::vector<Piece>& pieces) {
   pieces.clear();
   exceeded_ = false;
-  free_ = solver_.freeJoints(free);
+  scope_ = scope;
+  scope_.may_split = scope.may_split && !options_.keep_block_count && motion.role == nc::MotionRole::Block;
+  free_ = solver_.freeJoints(scope.free);
   for (std::size_t k = 0; k < correction_.size(); ++k) correction_[k] = from[k] - motion.start[k];
   if (motion.tool_centre_point) correction_.fill(0.0);
+  if (Result<void> started = startFrom(motion, from); !started) return started;
   std::vector<double> cuts;
-  may_split_ = may_split && !options_.keep_block_count && motion.role == nc::MotionRole::Block;
-  if (may_split_) {
+  if (scope_.may_split && has_play_) {
     simulation::reversalFractions(motion, cuts);
     std::erase_if(cuts, [&](double fraction) {  // only where the axis that reverses there has play
       const AxisValues at = positionAt(motion, machine_.jointCount(), fraction);
@@ -221,57 +180,36 @@ Result<void> MotionPlanner::plan(const Motion& motion, unsigned free, const Axis
   double begin = 0.0;
   cuts.push_back(1.0);
   for (const double end : cuts) {
-    if (Result<void> planned = planSection(motion, begin, end, begin == 0.0, from, pieces); !planned)
-      return planned;
+    if (Result<void> planned = planSection(motion, begin, end, pieces); !planned) return planned;
     begin = end;
   }
   return {};
 }
 
-Result<MotionPlanner::Node> MotionPlanner::sectionStart(const Motion& motion, double from, bool first,
-                                                        const AxisValues& at, const Senses& before) {
-  if (!first || reverses(before)) return solveAt(motion, from);
-  // The corrected program stands where its last block put it; its rounding is no reason to subdivide.
-  const Result<JointPositions> ideal = jointsOf(machine_, motion.start, motion.tool_centre_point);
-  const Result<JointPositions> corrected = jointsOf(machine_, at, motion.tool_centre_point);
-  if (!ideal) return ideal.error();
-  if (!corrected) return corrected.error();
-  const bool known = last_ && last_->ideal == *ideal;
-  return Node{from, *ideal, known ? last_->corrected : *corrected};
-}
-
-Result<void> MotionPlanner::planSection(const Motion& motion, double from, double to, bool first,
-                                        const AxisValues& at, std::vector<Piece>& pieces) {
-  const Senses before = senses_;
+Result<void> MotionPlanner::planSection(const Motion& motion, double from, double to,
+                                        std::vector<Piece>& pieces) {
   updateSenses(motion, from, from + 0.5 * (to - from));
-  now_ = senses_;
-  const bool rapid = motion.kind == MotionKind::Rapid;
-  const bool takes_up = needsTakeUp(motion, before) && !rapid;
-  if (takes_up && !may_split_) exceeded_ = true;
-  const Result<Node> start = sectionStart(motion, from, first, at, before);
-  if (!start) return start.error();
-  held_ = start->corrected;
-  if (takes_up && may_split_) {
-    Piece take_up;
-    take_up.end = valuesOf(machine_, start->corrected, motion.tool_centre_point);
-    take_up.from = take_up.to = from;
-    take_up.take_up = true;
-    pieces.push_back(take_up);
+  for (std::size_t k = 0; k < now_.size(); ++k) {
+    if (!isFree(k)) now_[k] = senses_[k];
   }
+  const Result<JointPositions> ideal =
+      jointsOf(machine_, positionAt(motion, machine_.jointCount(), from), motion.tool_centre_point);
+  if (!ideal) return ideal.error();
+  // The corrected program stands where its last block put it; its rounding is no reason to subdivide.
+  const Node start{from, *ideal, stands_};
   const Result<Node> end = solveAt(motion, to);
   if (!end) return end.error();
-  for (int i = 0; i < machine_.jointCount(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
+  for (std::size_t k = 0; k < largest_.size(); ++k)
     largest_[k] = std::max(largest_[k], std::abs(end->corrected[k] - end->ideal[k]));
-    resting_[k] = !isInPlane(motion, i) && std::abs(end->ideal[k] - start->ideal[k]) <= kStandstill;
-  }
-  if (rapid) {
+  if (motion.kind == MotionKind::Rapid) {
     emit(motion, *end, Piece{}, pieces);
-  } else if (Result<void> refined = refine(motion, *start, *end, 0, pieces); !refined) {
+  } else if (Result<void> refined = refine(motion, start, *end, 0, pieces); !refined) {
     return refined;
   }
-  senses_ = now_;
-  last_ = Node{to, end->ideal, held_};
+  for (std::size_t k = 0; k < now_.size(); ++k) {
+    if (isFree(k) && now_[k] != 0) senses_[k] = now_[k];
+  }
+  last_ = end->ideal;
   return {};
 }
 
@@ -286,7 +224,7 @@ Result<void> MotionPlanner::refine(const Motion& motion, const Node& a, const No
   if (!fits) return fits.error();
   const bool too_short =
       motion.kind == MotionKind::Arc && std::abs(motion.sweep) * (b.fraction - a.fraction) < kSmallestArc;
-  if (*fits || depth >= kDeepest || too_short || !may_split_) {
+  if (*fits || depth >= kDeepest || too_short || !scope_.may_split) {
     exceeded_ = exceeded_ || !*fits;
     emit(motion, b, piece, pieces);
     return {};

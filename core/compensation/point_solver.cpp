@@ -129,8 +129,8 @@ Result<JointPositions> PointSolver::solve(const Request& request, const JointPos
     solver.emplace(machine, jacobian, target, step_options);
   }
   JointPositions q = guess;
-  for (std::size_t k = 0; k < q.size(); ++k) {
-    if ((step_options.free >> k & 1U) == 0) q[k] = request.ideal[k];
+  for (std::size_t k = 0; k < q.size(); ++k) {  // tip alone: rotary joints that are free stay as programmed
+    if (((request.free & ~step_options.free) >> k & 1U) != 0) q[k] = request.ideal[k];
   }
   PoseResidual left = PoseResidual::Zero();
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {

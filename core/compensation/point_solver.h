@@ -24,9 +24,9 @@ class PointSolver {
     std::optional<double> advance;
   };
 
-  /// The corrected command. Directions in which the free joints cannot move the tool keep their deviation.
-  /// Fails with NoAnswer when Newton's method does not converge within 12 steps or wants a step above 5 mm or
-  /// 0.1 rad.
+  /// The corrected command; joints that are not free stay where `guess` has them. Directions in which the
+  /// free joints cannot move the tool keep their deviation. Fails with NoAnswer when Newton's method does not
+  /// converge within 12 steps or wants a step above 5 mm or 0.1 rad.
   [[nodiscard]] Result<JointPositions> solve(const Request& request, const JointPositions& guess);
 
   /// Pose of the actual tool at a command, for a single instant.

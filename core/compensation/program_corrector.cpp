@@ -20,20 +20,6 @@ namespace {
 
 constexpr std::size_t kBlocksBetweenReports = 4096;
 
-/// A feed motion of rotary axes alone: F means degrees there, and the linear path as soon as a linear axis
-/// joins, however little it moves, so that the rotary axis would turn at any speed.
-bool turnsAlone(const Motion& motion, const nc::AxisLayout& layout) {
-  if (motion.kind != MotionKind::Linear || motion.feed_mode != nc::FeedMode::PerMinute) return false;
-  bool turns = false;
-  for (int i = 0; i < layout.count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (motion.end[k] == motion.start[k]) continue;
-    if (!layout.axes[k].rotary) return false;
-    turns = true;
-  }
-  return turns && !motion.tool_centre_point;
-}
-
 }  // namespace
 
 ProgramCorrector::ProgramCorrector(const ErrorModel& model, const ProgramSetup& setup,
@@ -42,6 +28,7 @@ ProgramCorrector::ProgramCorrector(const ErrorModel& model, const ProgramSetup& 
     : model_(model),
       machine_(model.machine()),
       options_(options),
+      stated_(setup.dialect),
       source_(source),
       interpreter_(source, simulation::interpreterOptionsOf(machine_, setup)),
       planner_(model, setup, options),
@@ -187,17 +174,7 @@ AxisMask ProgramCorrector::writableAxes(const ExecutedBlock& executed, const Mot
     }
     free |= assumed;
   }
-  if (turnsAlone(motion, layout_)) {
-    report_.diagnostics.countedWarning(
-        "compensation.turning",
-        "A rotary axis moves alone: its feed is in degrees, so that the linear axes stay where they are.",
-        motion.line);
-    for (int i = 0; i < layout_.count; ++i) {
-      if (!layout_.axes[static_cast<std::size_t>(i)].rotary)
-        free = static_cast<AxisMask>(free & ~nc::axisBit(i));
-    }
-    return free;
-  }
+  if (turning_ == TurnWriting::Alone) return static_cast<AxisMask>(free & ~linearAxes());
   for (int i = 0; i < layout_.count; ++i) {
     if (nc::contains(free, i) || nc::contains(commanded_, i) || motion.kind == MotionKind::Rapid) continue;
     report_.diagnostics.countedWarning(
@@ -207,6 +184,34 @@ AxisMask ProgramCorrector::writableAxes(const ExecutedBlock& executed, const Mot
         motion.line);
   }
   return free;
+}
+
+AxisMask ProgramCorrector::linearAxes() const {
+  AxisMask linear = 0;
+  for (int i = 0; i < layout_.count; ++i) {
+    if (!layout_.axes[static_cast<std::size_t>(i)].rotary) linear |= nc::axisBit(i);
+  }
+  return linear;
+}
+
+void ProgramCorrector::warnTurning(std::size_t line) {
+  static constexpr const char* kAlone =
+      "A rotary axis moves alone: its feed is in degrees, so that the linear axes stay where they are and a "
+      "deviation remains. State the control to have it corrected.";
+  static constexpr const char* kKept =
+      "A rotary axis moves alone and gets words of the linear axes beside it. F stays, because a Fanuc "
+      "control "
+      "counts a degree as a millimetre; on a control that counts the linear path alone the axis would race.";
+  static constexpr const char* kRestated =
+      "A rotary axis moves alone and gets words of the linear axes beside it. F is restated for their path, "
+      "as "
+      "LinuxCNC counts it, and put back behind the block; on another control the axis would crawl.";
+  if (turning_ == TurnWriting::Alone)
+    report_.diagnostics.countedWarning("compensation.turning", kAlone, line);
+  if (turning_ == TurnWriting::KeepFeed)
+    report_.diagnostics.countedWarning("compensation.turning.kept", kKept, line);
+  if (turning_ == TurnWriting::RestateFeed)
+    report_.diagnostics.countedWarning("compensation.turning.restated", kRestated, line);
 }
 
 void ProgramCorrector::warnOutsideTables(const Motion& motion) {

@@ -3,6 +3,7 @@
 #include "core/compensation/line_assembler.h"
 #include "core/compensation/line_editor.h"
 #include "core/compensation/piece_log.h"
+#include "core/compensation/turning_feed.h"
 
 namespace nineline::compensation {
 
@@ -54,6 +55,14 @@ class ProgramCorrector {
   [[nodiscard]] nc::WordFrame shiftedFrame(const nc::WordFrame& frame) const;
   void followPositionOffsets(const nc::ExecutedBlock& executed);
   [[nodiscard]] nc::AxisMask writableAxes(const nc::ExecutedBlock& executed, const nc::Motion& motion);
+  [[nodiscard]] nc::AxisMask linearAxes() const;
+  [[nodiscard]] MotionPlanner::Scope scopeOf(bool may_split) const;
+  void chooseTurning(const nc::ExecutedBlock& executed, const nc::Motion& motion, bool at_end);
+  /// Where linear axes join a turn, F as the line at hand needs it.
+  void stateTurningFeed(const nc::Motion& motion, const Piece& piece, const nc::AxisValues& from);
+  void putFeedBack(const nc::Block& block, std::string_view line_end);
+  void moveBeside(const nc::Motion& motion, const Piece& piece, nc::AxisMask named);
+  void warnTurning(std::size_t line);
   [[nodiscard]] int codeOf(const nc::ExecutedBlock& executed, const nc::Motion& motion,
                            const Piece& piece) const;
   void writeOwnLine(const nc::ExecutedBlock& executed, const nc::Motion& motion, const Piece& piece);
@@ -70,6 +79,7 @@ class ProgramCorrector {
   const ErrorModel& model_;
   const kinematics::Machine& machine_;
   CompensationOptions options_;
+  std::optional<nc::Dialect> stated_;  // the control, where the user names it
   nc::TextSource& source_;
   nc::Interpreter interpreter_;
   MotionPlanner planner_;
@@ -87,11 +97,14 @@ class ProgramCorrector {
   std::vector<Piece> written_;  // those of them that the words resolve
   std::vector<EmittedPosition::Word> words_;
   std::string line_;
-  nc::WordFrame frame_;            // of the block at hand, with the corrected program's offsets
-  nc::AxisMask writable_ = 0;      // axes that may get a word in the block at hand
-  int active_code_ = -1;           // modal motion code where the corrected program stands
-  bool changed_ = false;           // the block at hand
-  bool own_line_follows_ = false;  // lines were put before the block's own one
+  nc::WordFrame frame_;                        // of the block at hand, with the corrected program's offsets
+  nc::AxisMask writable_ = 0;                  // axes that may get a word in the block at hand
+  TurnWriting turning_ = TurnWriting::NoTurn;  // of the block at hand
+  double feed_word_ = 0.0;                     // F of the block at hand, where it turns
+  std::optional<double> feed_in_force_;        // while its lines are written
+  int active_code_ = -1;                       // modal motion code where the corrected program stands
+  bool changed_ = false;                       // the block at hand
+  bool own_line_follows_ = false;              // lines were put before the block's own one
   PieceLog log_;
   CompensationReport report_;
   nc::AxisLayout layout_;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/units.h"
 #include "core/simulation/command_path.h"
 #include "core/simulation/joint_errors.h"
 
@@ -18,7 +19,8 @@ using simulation::PathState;
 
 namespace {
 
-constexpr double kChord = 0.002;  // mm
+constexpr double kChord = 0.002;      // mm
+constexpr double kStandstill = 1e-9;  // mm
 constexpr std::size_t kMotionsBetweenReports = 4096;
 
 /// Hands out the motions of a program one by one.
@@ -45,11 +47,71 @@ class MotionStream {
   std::size_t index_ = 0;
 };
 
-bool sameMeaning(const Motion& a, const Motion& b, bool whole) {
+/// Minutes that a motion takes by its F word, by a rule of its own: `degrees` of turning and `way` in units
+/// of the program.
+struct Timing {
+  double word = 0.0;
+  double way = 0.0;
+  double degrees = 0.0;
+};
+
+Timing timingOf(const Machine& machine, const Motion& motion) {
+  double way = 0.0;
+  double turned = 0.0;
+  for (int i = 0; i < machine.jointCount(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double moved = motion.end[k] - motion.start[k];
+    (machine.isRotary(i) ? turned : way) += moved * moved;
+  }
+  Timing timing;
+  timing.way = std::sqrt(way) / motion.feed_unit;
+  if (timing.way < kStandstill) timing.way = 0.0;
+  timing.degrees = degFromRad(std::sqrt(turned));
+  const double per_minute = 60.0 * motion.feed;
+  timing.word =
+      timing.way > 0.0 || timing.degrees == 0.0 ? per_minute / motion.feed_unit : degFromRad(per_minute);
+  return timing;
+}
+
+/// Rotary axes that turn alone at a feed in degrees must turn as fast in every line that stands for the
+/// block, by the meaning that the control at hand gives F.
+bool turnsAtItsSpeed(const Machine& machine, const Motion& a, const Motion& b,
+                     simulation::FeedMeaning meaning) {
+  constexpr double kSameSpeed = 2e-3;
+  const Timing original = timingOf(machine, a);
+  const Timing piece = timingOf(machine, b);
+  if (piece.word == original.word && (piece.way == 0.0 || piece.degrees == 0.0)) return true;
+  const bool vector = meaning == simulation::FeedMeaning::VectorSum;
+  const double length = vector            ? std::hypot(piece.way, piece.degrees)
+                        : piece.way > 0.0 ? piece.way
+                                          : piece.degrees;
+  const double wanted = piece.degrees / original.word;  // minutes
+  return std::abs(length / piece.word - wanted) <= kSameSpeed * wanted;
+}
+
+bool turnsAlone(const Machine& machine, const Motion& motion) {
+  if (motion.kind != MotionKind::Linear || motion.feed_mode != nc::FeedMode::PerMinute ||
+      motion.tool_centre_point || motion.feed <= 0.0)
+    return false;
+  const Timing timing = timingOf(machine, motion);
+  return timing.way == 0.0 && timing.degrees > 0.0;
+}
+
+/// F as its word says it, whatever the motion makes of it.
+bool sameFeedWord(const Machine& machine, const Motion& a, const Motion& b) {
+  if (a.feed == b.feed) return true;
+  if (a.feed_mode != nc::FeedMode::PerMinute) return false;
+  const double word = timingOf(machine, a).word;
+  return std::abs(timingOf(machine, b).word - word) <= 1e-12 * word;
+}
+
+bool sameMeaning(const Machine& machine, const Motion& a, const Motion& b, bool whole,
+                 simulation::FeedMeaning meaning) {
   const bool same_kind = a.kind == b.kind || (!whole && b.kind != MotionKind::Arc);
-  const bool same_feed =
-      a.feed_mode == b.feed_mode &&
-      (a.feed == b.feed || a.feed_mode == nc::FeedMode::InverseTime || b.kind == MotionKind::Rapid);
+  const bool any_feed = a.feed_mode == nc::FeedMode::InverseTime || b.kind == MotionKind::Rapid;
+  const bool same_feed = a.feed_mode == b.feed_mode &&
+                         (any_feed || (turnsAlone(machine, a) ? turnsAtItsSpeed(machine, a, b, meaning)
+                                                              : sameFeedWord(machine, a, b)));
   return same_kind && same_feed && a.role == b.role && a.spindle_speed == b.spindle_speed &&
          a.tool_centre_point == b.tool_centre_point && a.cutter_compensation == b.cutter_compensation;
 }
@@ -70,6 +132,7 @@ class Comparison {
       : model_(model),
         sink_(sink),
         machine_(model.machine()),
+        meaning_(simulation::feedMeaningOf(setup.dialect)),
         path_before_(model, setup.state, setup.start),
         path_after_(model, setup.state, setup.start),
         cut_before_(machine_.jointCount()),
@@ -86,7 +149,7 @@ class Comparison {
     if (!end) return end.error();
     simulation::sampleFractions(model_, corrected, *start, *end, path_after_.state().approach, kChord,
                                 fractions_);
-    const double duration = sink_ ? simulation::durationOf(machine_, original) * (to - from) : 0.0;
+    const double duration = sink_ ? simulation::durationOf(machine_, original, meaning_) * (to - from) : 0.0;
     double last = 0.0;
     for (const double u : fractions_) {
       const Result<JointPositions> q = jointsAt(corrected, u);
@@ -148,6 +211,7 @@ class Comparison {
   const ErrorModel& model_;
   const ComparisonSink& sink_;
   const Machine& machine_;
+  simulation::FeedMeaning meaning_;
   PathState path_before_;
   PathState path_after_;
   std::vector<double> fractions_;
@@ -175,6 +239,7 @@ Result<Verification> verifyCorrection(const ErrorModel& model, const ProgramSetu
   MotionStream originals(model.machine(), setup, original);
   MotionStream correcteds(model.machine(), setup, corrected);
   Comparison comparison(model, setup, sink);
+  const simulation::FeedMeaning meaning = simulation::feedMeaningOf(setup.dialect);
   std::size_t index = 0;
   std::size_t span = 0;
   for (;;) {
@@ -190,7 +255,7 @@ Result<Verification> verifyCorrection(const ErrorModel& model, const ProgramSetu
       if (*piece == nullptr) return differs(first.line, "a motion is missing");
       const PieceLog::Span part = count == 1 ? PieceLog::Span{} : log.spans()[span++];
       const bool take_up = count > 1 && part.from == part.to;
-      if (!take_up && !sameMeaning(first, **piece, count == 1))
+      if (!take_up && !sameMeaning(model.machine(), first, **piece, count == 1, meaning))
         return differs(first.line, "a motion means something else");
       if (Result<void> done = comparison.compare(first, **piece, static_cast<double>(part.from),
                                                  static_cast<double>(part.to));

@@ -71,6 +71,7 @@ struct Motion {
   /// Feed as programmed: mm/s (rad/s when only rotary axes move), 1/s for InverseTime, mm per turn for
   /// PerRevolution; 0 for Rapid or where no feed was stated.
   double feed = 0.0;
+  double feed_unit = 1.0;      ///< mm for one unit of the F word where it counts lengths: 1, 25.4
   double spindle_speed = 0.0;  ///< rad/s as programmed, 0 when unknown
   /// Arc only: indices of the first and second axis of the plane (G17 X Y, G18 Z X, G19 Y Z), centre in
   /// machine coordinates, and signed angle from the first towards the second axis (G03 positive), more than a

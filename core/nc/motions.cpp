@@ -51,6 +51,18 @@ AxisMask establishedBy(const Execution& e, const WordFrame& frame) {
   return stated;
 }
 
+/// Whether rotary axes alone move, so that F counts degrees. A linear axis that is named where it stands does
+/// not move; where nothing moves, the names decide.
+bool turnsOnly(const Execution& e, const Motion& motion) {
+  constexpr double kStandstill = 1e-9;  // mm, rad: what adding an offset and taking it off leaves
+  AxisMask moved = 0;
+  for (int i = 0; i < e.options.axes.count; ++i) {
+    if (std::abs(motion.end[index(i)] - motion.start[index(i)]) > kStandstill) moved |= axisBit(i);
+  }
+  if (moved == 0) moved = motion.commanded;
+  return moved != 0 && (moved & ~e.rotary) == 0;
+}
+
 }  // namespace
 
 std::array<int, 3> planeAxes(const Execution& e) {
@@ -101,6 +113,7 @@ void beginMotion(Execution& e, Motion& motion, MotionKind kind, MotionRole role)
 
 void finishFeed(Execution& e, Motion& motion) {
   const ModalState& m = e.modal;
+  motion.feed_unit = m.feed_unit;
   if (motion.kind == MotionKind::Rapid) {
     motion.feed = 0.0;
   } else if (m.feed_mode == FeedMode::InverseTime) {
@@ -108,9 +121,8 @@ void finishFeed(Execution& e, Motion& motion) {
   } else if (m.feed_mode == FeedMode::PerRevolution) {
     motion.feed = m.feed_word * m.feed_unit;
   } else {
-    const bool rotary_only =
-        (motion.commanded & ~e.rotary) == 0 && motion.kind == MotionKind::Linear && motion.commanded != 0;
-    motion.feed = rotary_only ? radFromDeg(m.feed_word) / 60.0 : m.feed_word * m.feed_unit / 60.0;
+    const bool degrees = motion.kind == MotionKind::Linear && turnsOnly(e, motion);
+    motion.feed = degrees ? radFromDeg(m.feed_word) / 60.0 : m.feed_word * m.feed_unit / 60.0;
   }
 }
 

@@ -128,7 +128,11 @@ nc::AxisValues valuesOf(const Machine& machine, const JointPositions& q, bool to
   return values;
 }
 
-double durationOf(const Machine& machine, const nc::Motion& motion) {
+FeedMeaning feedMeaningOf(std::optional<nc::Dialect> stated) {
+  return stated == nc::Dialect::Fanuc ? FeedMeaning::VectorSum : FeedMeaning::LinearPath;
+}
+
+double durationOf(const Machine& machine, const nc::Motion& motion, FeedMeaning meaning) {
   if (motion.kind == nc::MotionKind::Rapid) return rapidDuration(machine, motion);
   if (motion.feed <= 0.0) return 0.0;
   if (motion.feed_mode == nc::FeedMode::InverseTime) return 1.0 / motion.feed;
@@ -136,7 +140,10 @@ double durationOf(const Machine& machine, const nc::Motion& motion) {
   if (motion.feed_mode == nc::FeedMode::PerRevolution) speed *= motion.spindle_speed / kTurn;
   if (speed <= 0.0) return 0.0;
   const double linear = linearLength(machine, motion);
-  return (linear > kStandstill ? linear : rotaryLength(machine, motion)) / speed;
+  const double turned = rotaryLength(machine, motion);
+  if (linear <= kStandstill) return turned / speed;
+  const bool together = meaning == FeedMeaning::VectorSum && motion.kind == nc::MotionKind::Linear;
+  return (together ? std::hypot(linear, degFromRad(turned) * motion.feed_unit) : linear) / speed;
 }
 
 void reversalFractions(const nc::Motion& motion, std::vector<double>& fractions) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/errors/error_model.h"
+#include "core/nc/dialect.h"
 #include "core/nc/motion.h"
 
 namespace nineline::simulation {
@@ -22,9 +24,19 @@ using kinematics::Machine;
 [[nodiscard]] nc::AxisValues valuesOf(const Machine& machine, const JointPositions& q,
                                       bool tool_centre_point);
 
+/// What F counts in a straight motion of linear and rotary axes together (resources/docs/adr/006).
+enum class FeedMeaning : std::uint8_t {
+  LinearPath,  ///< the way of the linear axes; the rotary ones start and stop with it (LinuxCNC)
+  VectorSum    ///< the root of the squares of all axes, a degree as one unit of length (Fanuc)
+};
+
+/// The meaning that the stated control gives F; LinearPath where none is stated.
+[[nodiscard]] FeedMeaning feedMeaningOf(std::optional<nc::Dialect> stated);
+
 /// Seconds that a motion takes at its programmed feed; rapids at the machine's rapid speeds. 0 where no feed
 /// is known.
-[[nodiscard]] double durationOf(const Machine& machine, const nc::Motion& motion);
+[[nodiscard]] double durationOf(const Machine& machine, const nc::Motion& motion,
+                                FeedMeaning meaning = FeedMeaning::LinearPath);
 
 /// Where along a motion samples must stand, as fractions above 0 up to 1: so close that chords leave the tool
 /// path by `chord` mm at most and half a feature of every error is resolved; at every reversal of a joint

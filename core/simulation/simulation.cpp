@@ -23,6 +23,7 @@ class ProgramRun {
       : model_(model),
         machine_(model.machine()),
         sink_(sink),
+        feed_meaning_(feedMeaningOf(setup.dialect)),
         path_(model, setup.state, setup.start),
         cutting_(machine_.jointCount()),
         all_(machine_.jointCount()) {}
@@ -40,7 +41,7 @@ class ProgramRun {
     if (!start) return placed(start.error(), motion.line);
     if (!end) return placed(end.error(), motion.line);
     sampleFractions(model_, motion, *start, *end, path_.state().approach, kChord, fractions_);
-    const double duration = durationOf(machine_, motion);
+    const double duration = durationOf(machine_, motion, feed_meaning_);
     double before = 0.0;
     for (const double fraction : fractions_) {
       const nc::AxisValues values = positionAt(motion, machine_.jointCount(), fraction);
@@ -124,6 +125,7 @@ class ProgramRun {
   const ErrorModel& model_;
   const Machine& machine_;
   const SampleSink& sink_;
+  FeedMeaning feed_meaning_;
   PathState path_;
   PathSample sample_;
   std::vector<double> fractions_;

@@ -48,10 +48,10 @@ std::string caseRow(const Case& one, const Outcome& o) {
   const std::string head =
       fmt::format("{},{},{},{}", one.seed, nameOf(one.machine.structure),
                   one.more_effects ? "more" : "tables", one.program.inch ? "inch" : "mm");
-  return fmt::format("{},{},{},{:.4f},{:.5f},{:.4f},{:.3f},{:.3f},{:.4f},{:.5f},{:.3f},\"{}\",\"{}\"\n", head,
-                     o.lines, o.corrected_lines, umFromMm(o.paths.before.rms()),
+  return fmt::format("{},{},{},{:.4f},{:.5f},{:.4f},{},{:.3f},{:.3f},{:.4f},{:.5f},{:.3f},\"{}\",\"{}\"\n",
+                     head, o.lines, o.corrected_lines, umFromMm(o.paths.before.rms()),
                      umFromMm(o.paths.after.rms()), umFromMm(o.paths.after.largest),
-                     removedPercent(o.paths.before, o.paths.after),
+                     o.paths.after.largest_line, removedPercent(o.paths.before, o.paths.after),
                      removedTiltPercent(o.paths.before, o.paths.after), umFromMm(o.reported_before),
                      umFromMm(o.reported_after), o.seconds, o.fault, o.meaning);
 }
@@ -86,7 +86,8 @@ int main(int argc, char** argv) {
     Group all;
     std::array<Group, 3> groups;
     std::ofstream rows(folder / fmt::format("cases-{}.csv", w));
-    rows << "seed,structure,errors,unit,lines,corrected_lines,before_um,after_um,max_um,removed_pct,tilt_"
+    rows << "seed,structure,errors,unit,lines,corrected_lines,before_um,after_um,max_um,max_line,removed_pct,"
+            "tilt_"
             "removed_pct,"
             "reported_before_um,reported_after_um,time_s,fault,meaning\n";
     for (unsigned seed = first; seed < first + cases; ++seed) {

@@ -12,9 +12,11 @@ namespace nineline::campaign {
 
 namespace {
 
-constexpr double kLever = 100.0;         // mm: a turn counts as the arc at this radius
-constexpr double kSampleDistance = 0.7;  // mm
-constexpr int kPlaySteps = 64;           // between two samples, for reversals inside arcs
+constexpr double kLever = 100.0;            // mm: a turn counts as the arc at this radius
+constexpr double kSampleDistance = 0.7;     // mm
+constexpr double kLargestCorrection = 0.2;  // mm
+constexpr double kSamePlace = 0.03;         // mm: what corrections of neighbouring places differ by
+constexpr int kPlaySteps = 64;              // between two samples, for reversals inside arcs
 
 double jointDistance(const PlainPhysics& physics, const Positions& a, const Positions& b) {
   double sum = 0.0;
@@ -97,9 +99,10 @@ double fractionOf(const PlainPhysics& physics, const PlainMotion& motion, const 
     if (d < least - 1e-9) best = u;
     least = std::min(least, d);
   }
-  const double cell = (1.0 - low) / kGrid;
-  double a = std::max(low, best - 2.0 * cell);
-  double b = std::min(1.0, best + 2.0 * cell);
+  // The grid compares commands; a correction lies between them and the tool.
+  const double slack = 2.0 * (1.0 - low) / kGrid + kLargestCorrection / lengthOf(physics, motion, 0.0, 1.0);
+  double a = std::max(low, best - slack);
+  double b = std::min(1.0, best + slack);
   const PlainPose pose = walk.pose();
   const auto cost = [&](double u) {
     const Positions q = motion.at(u, physics.jointCount());
@@ -169,6 +172,7 @@ class Measure {
     figures.length += weight;
     figures.square += weight * deviation * deviation;
     figures.tilt_square += weight * (actual.axis - ideal.axis).squaredNorm();
+    if (deviation > figures.largest) figures.largest_line = motion.line;
     figures.largest = std::max(figures.largest, deviation);
     if (stands_for == 0) return;
     const double lever = physics_.machine().structure == Structure::Trunnion ? kLever : 0.0;
@@ -192,7 +196,7 @@ std::size_t endOfPieces(const PlainPhysics& physics, const PlainMotion& motion, 
   for (std::size_t i = first; i < corrected.size() && (next_line == 0 || corrected[i].line < next_line);
        ++i) {
     const double d = jointDistance(physics, corrected[i].at(1.0, physics.jointCount()), end);
-    if (d > least + 0.01) continue;
+    if (d > least + kSamePlace) continue;
     least = std::min(least, d);
     found = i + 1;
   }

@@ -24,7 +24,8 @@ struct PathFigures {
   double tilt_square = 0.0;  ///< of the tool axis, rad² mm
   double rest_square = 0.0;  ///< of the tip: what no correction could remove
   double rest_tilt_square = 0.0;
-  double largest = 0.0;  ///< mm
+  double largest = 0.0;          ///< mm
+  std::size_t largest_line = 0;  ///< of the original
   [[nodiscard]] double rms() const;
   [[nodiscard]] double tilt() const;
   void add(const PathFigures& other);

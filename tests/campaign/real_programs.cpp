@@ -1,0 +1,277 @@
+#include "tests/campaign/real_programs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <set>
+
+#include "core/base/file.h"
+#include "core/base/text.h"
+#include "core/compensation/compensation.h"
+#include "core/kinematics/machine_file.h"
+#include "tests/campaign/second_opinion.h"
+#include "tests/core/nc/canonical_calls.h"
+#include "tests/support/random_machines.h"
+
+namespace nineline::campaign {
+
+namespace fs = std::filesystem;
+using kinematics::Machine;
+
+namespace {
+
+/// Turning programs, whose X words are diameters.
+const std::set<std::string> kLathes = {"FANUC0T.nc",
+                                       "0100.nc",
+                                       "TOKARKA.NC",
+                                       "OSP7000L.nc",
+                                       "nc_files_g76.ngc",
+                                       "nc_files_lathe-g76.ngc",
+                                       "nc_files_threading.ngc",
+                                       "configs_sim_gmoccapy_lathe_configs_threading.ngc",
+                                       "nc_files_ngcgui_lib_lathe_g76diam.ngc",
+                                       "g76only.ngc"};
+
+/// Built-in structures in the order in which they are tried.
+constexpr std::array<const char*, 5> kStructures = {"generic-3axis", "b2-k3032", "trunnion-ac",
+                                                    "table-head-bc", "propeller-c2zxc1b1"};
+
+/// FNV-1a: the same seed for the same name on every machine.
+unsigned seedOf(const std::string& name) {
+  unsigned hash = 2166136261U;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  return hash;
+}
+
+struct Reading {
+  std::size_t blocks = 0;
+  std::size_t motions = 0;
+  std::set<char> axes;
+  nc::Dialect dialect = nc::Dialect::Fanuc;
+  std::optional<Error> error;
+};
+
+Reading readProgram(const std::string& name, const std::string& text, nc::InterpreterOptions options) {
+  Reading reading;
+  nc::MemoryText source(name, text);
+  nc::Interpreter interpreter(source, options);
+  for (;;) {
+    const Result<const nc::ExecutedBlock*> block = interpreter.next();
+    if (!block) reading.error = block.error();
+    if (!block || *block == nullptr) break;
+    ++reading.blocks;
+    for (const nc::Motion& motion : (*block)->motions) {
+      ++reading.motions;
+      for (int i = 0; i < options.axes.count; ++i) {
+        if (nc::contains(motion.commanded, i))
+          reading.axes.insert(options.axes.axes[static_cast<std::size_t>(i)].id.letter);
+      }
+    }
+  }
+  if (!reading.error && interpreter.diagnostics().hasErrors())
+    reading.error = interpreter.diagnostics().firstError(name);
+  reading.dialect = interpreter.dialect();
+  return reading;
+}
+
+/// A built-in machine without limits of travel: the programs were written for others.
+Machine machineOf(const std::string& id, bool lathe) {
+  Machine::Description description = kinematics::findBuiltInMachine(id)->description();
+  for (auto* chain : {&description.workpiece_chain, &description.tool_chain}) {
+    for (kinematics::Joint& joint : *chain) {
+      joint.travel.reset();
+      joint.diameter = lathe && joint.axis.letter == 'X';
+    }
+  }
+  return Machine::make(std::move(description)).value();
+}
+
+std::optional<Machine> structureFor(const std::set<char>& axes, bool lathe) {
+  for (const char* const id : kStructures) {
+    const Machine machine = machineOf(id, lathe);
+    if (lathe && machine.find({'Y', 0}) >= 0) continue;
+    const bool fits = std::all_of(axes.begin(), axes.end(), [&](char axis) {
+      return machine.find({axis, 0}) >= 0;
+    });
+    if (fits) return machine;
+  }
+  return std::nullopt;
+}
+
+std::string nameOf(nc::Dialect dialect) {
+  switch (dialect) {
+    case nc::Dialect::Siemens:
+      return "Siemens";
+    case nc::Dialect::LinuxCnc:
+      return "LinuxCNC";
+    default:
+      return "Fanuc";
+  }
+}
+
+std::string withoutBars(std::string text) {
+  std::replace(text.begin(), text.end(), '|', '/');
+  return text;
+}
+
+std::string refusal(const Error& error) {
+  return withoutBars(fmt::format("refused, line {}: {}", error.line, error.text));
+}
+
+/// Lengths of the tools of a LinuxCNC tool table beside the program, in the unit of the table.
+std::string toolTableBeside(const fs::path& file) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(file.parent_path())) {
+    if (entry.path().extension() == ".tbl") return readFile(entry.path()).value();
+  }
+  return "T1 P1 Z0 D5\n";
+}
+
+std::map<int, double> toolLengthsOf(const std::string& table, double unit) {
+  std::map<int, double> lengths;
+  const std::string text = upper(table);
+  for (const std::string_view line : split(text, '\n')) {
+    const std::size_t tool = line.find('T');
+    const std::size_t z = line.find('Z');
+    if (tool == std::string_view::npos || z == std::string_view::npos) continue;
+    lengths[std::atoi(std::string(line.substr(tool + 1)).c_str())] =
+        unit * std::atof(std::string(line.substr(z + 1)).c_str());
+  }
+  return lengths;
+}
+
+std::string runRs274(const fs::path& folder, const std::string& program, const std::string& tools) {
+  std::ofstream(folder / "program.ngc", std::ios::binary) << program;
+  std::ofstream(folder / "tools.tbl") << tools;
+  const std::string command = fmt::format(
+      "cd '{0}' && rm -f rs274ngc.var && HOME='{0}' timeout 60 rs274 -t tools.tbl -g program.ngc 2>&1",
+      folder.string());
+  std::string output;
+  std::FILE* const pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) return output;
+  std::array<char, 4096> buffer;
+  for (std::size_t got = 0; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    output.append(buffer.data(), got);
+  ::pclose(pipe);
+  return output;
+}
+
+/// Whether rs274 reads the corrected program as we do, and nothing but motions has changed in it.
+std::string secondOpinion(const fs::path& scratch, const fs::path& file, const std::string& original,
+                          const std::string& corrected, const nc::InterpreterOptions& options) {
+  if (!SecondOpinion::isInstalled()) return "not installed";
+  const std::string tools = toolTableBeside(file);
+  const std::string before = runRs274(scratch, original, tools);
+  if (!isComplete(before)) return withoutBars("does not read the original: " + reasonOf(before));
+  const std::string after = runRs274(scratch, corrected, tools);
+  if (!isComplete(after)) return withoutBars("DOES NOT READ THE CORRECTED: " + reasonOf(after));
+  nc::InterpreterOptions six = options;
+  six.dialect = nc::Dialect::LinuxCnc;
+  six.start = {};
+  const nc::testing::OwnMoves own = nc::testing::interpretMoves("corrected", corrected, six);
+  if (!own.error.empty()) return withoutBars("reads what we refuse: " + own.error);
+  const std::string difference = nc::testing::differenceOf(own.moves, nc::testing::readCanonicalCalls(after));
+  if (!difference.empty()) return withoutBars("OTHER MOTION: " + difference);
+  const std::string changed = changedMeaning(before, after);
+  if (!changed.empty()) return withoutBars("OTHER MEANING: " + changed);
+  return fmt::format("same {} motions, same meaning", own.moves.size());
+}
+
+std::string warningsOf(const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& one : diagnostics.all()) {
+    if (text.size() > 200) return text + " …";
+    text += (text.empty() ? "" : " ") + one.text;
+  }
+  return withoutBars(text);
+}
+
+void compensate(RealProgram& row, const Machine& machine, const std::string& text,
+                const simulation::ProgramSetup& setup, const fs::path& file, const fs::path& scratch) {
+  test_support::Random random(seedOf(row.file));
+  const errors::ErrorModel model = test_support::randomModel(random, machine);
+  compensation::CompensationOptions options;
+  options.linear_decimals = 4;
+  options.rotary_decimals = 4;
+  NoProgress progress;
+  const Result<compensation::CompensatedText> done =
+      compensation::compensateText(model, row.file, text, setup, options, progress);
+  if (!done) {
+    row.remark = refusal(done.error());
+    return;
+  }
+  row.compensated = true;
+  row.rms_before_um = umFromMm(done->report.before.norm.rms);
+  row.rms_after_um = umFromMm(done->report.after.norm.rms);
+  row.remark = warningsOf(done->report.diagnostics);
+  row.second_opinion =
+      row.dialect == "Siemens"
+          ? "another dialect"
+          : secondOpinion(scratch, file, text, done->text, simulation::interpreterOptionsOf(machine, setup));
+}
+
+RealProgram runOne(const fs::path& data, const fs::path& file, const fs::path& scratch) {
+  RealProgram row;
+  row.file = fs::relative(file, data).generic_string();
+  const std::string name = file.filename().string();
+  const std::string text = readFile(file).value();
+  const bool lathe = kLathes.contains(name);
+  const bool linuxcnc = row.file.starts_with("nc-linuxcnc");
+  const bool metric_table = !name.starts_with("g76only");
+  simulation::ProgramSetup setup;
+  if (linuxcnc) setup.dialect = nc::Dialect::LinuxCnc;
+  setup.tool_lengths = toolLengthsOf(toolTableBeside(file), metric_table ? 1.0 : kMillimetresPerInch);
+  nc::InterpreterOptions options;
+  options.dialect = setup.dialect;
+  options.axes = nc::testing::sixAxes();
+  if (lathe) options.axes = simulation::axisLayoutOf(machineOf("b2-k3032", true));
+  options.tool_lengths = setup.tool_lengths;
+  const Reading reading = readProgram(row.file, text, options);
+  row.dialect = nameOf(reading.dialect);
+  row.blocks = reading.blocks;
+  row.motions = reading.motions;
+  if (reading.error) {
+    row.remark = refusal(*reading.error);
+    return row;
+  }
+  const std::optional<Machine> machine = structureFor(reading.axes, lathe);
+  if (!machine) {
+    row.remark = "no built-in structure has the axes ";
+    for (const char axis : reading.axes) row.remark += axis;
+    return row;
+  }
+  row.structure = machine->id();
+  if (row.motions == 0) {
+    row.remark = "moves nothing";
+    return row;
+  }
+  compensate(row, *machine, text, setup, file, scratch);
+  return row;
+}
+
+bool isProgram(const fs::path& file) {
+  static const std::set<std::string> kKinds = {".nc", ".NC", ".mpf", ".ngc"};
+  return kKinds.contains(file.extension().string()) || file.filename().string().ends_with(".mpf.txt");
+}
+
+}  // namespace
+
+std::vector<RealProgram> runRealPrograms(const fs::path& data, const fs::path& scratch) {
+  fs::create_directories(scratch);
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& folder : fs::directory_iterator(data)) {
+    if (!folder.path().filename().string().starts_with("nc-")) continue;
+    for (const fs::directory_entry& file : fs::recursive_directory_iterator(folder)) {
+      if (file.is_regular_file() && isProgram(file.path())) files.push_back(file.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<RealProgram> rows;
+  for (const fs::path& file : files) rows.push_back(runOne(data, file, scratch));
+  return rows;
+}
+
+}  // namespace nineline::campaign
