@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bitset>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,10 +17,11 @@ using kinematics::Machine;
 
 /// One sample: where the machine was commanded to stand when the instrument was read.
 struct Sample {
-  JointPositions q{};           ///< mm, rad, in the machine's joint order; joints without a column stand at 0
-  bool has_positions = true;    ///< false: a position cell is empty; nothing can be predicted here
-  std::size_t line = 0;         ///< in the file, from 1; 0 when there is no file
-  std::optional<double> sigma;  ///< of this sample's lengths, mm (`sigma_um`)
+  JointPositions q{};         ///< mm, rad, in the machine's joint order; joints without a column stand at 0
+  bool has_positions = true;  ///< false: a position cell is empty; nothing can be predicted here
+  std::bitset<kMaxAxes> missing;        ///< the joints whose cells are empty
+  std::size_t line = 0;                 ///< in the file, from 1; 0 when there is no file
+  std::optional<double> sigma;          ///< of this sample's lengths, mm (`sigma_um`)
   std::optional<double> angular_sigma;  ///< of this sample's angles, rad (`sigma_arcsec`)
 };
 
