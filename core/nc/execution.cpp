@@ -23,8 +23,14 @@ bool isLexical(std::string_view code) {
          code == code::kUnclosedComment || code == code::kRepeatedWord;
 }
 
-void takeFeedAndSpeed(Execution& e) {
+bool takeFeedAndSpeed(Execution& e) {
   const BlockWords& w = e.words;
+  for (const char letter : {'F', 'S'}) {
+    if (w.has(letter) && w.of(letter) < 0.0) {
+      return failAt(e, code::kBadValue, letter,
+                    fmt::format("{} is {}; it cannot be negative", letter, w.of(letter)));
+    }
+  }
   if (w.has('F')) {
     e.modal.feed_word = w.of('F');
     e.modal.feed_unit = e.modal.inch ? kMillimetresPerInch : 1.0;
@@ -32,6 +38,24 @@ void takeFeedAndSpeed(Execution& e) {
   }
   if (w.has('S')) e.modal.spindle_word = w.of('S');
   if (w.has('T')) e.selected_tool = static_cast<int>(std::fmin(1e6, std::fmax(0.0, w.of('T'))));
+  return true;
+}
+
+/// `Z1E2` is Z1 and a word E2, whatever its writer meant; only threads, data and macro calls have an E.
+bool refuseExponent(Execution& e) {
+  const BlockWords& w = e.words;
+  const bool threads = e.modal.motion >= 32 || e.modal.turning == 920 ||
+                       w.motion_action == CodeAction::Thread ||
+                       w.motion_action == CodeAction::ThreadOrCycle76;
+  if (threads || w.m_codes || w.non_modal == CodeAction::MacroCall || w.non_modal == CodeAction::Data)
+    return true;
+  for (std::size_t i = 1; i < e.block.words.size(); ++i) {
+    const Word& word = e.block.words[i];
+    if (word.letter != 'E' || e.block.words[i - 1].end != word.begin) continue;
+    return fail(e, code::kBadNumber, word.begin,
+                "A number has no exponent in an NC program, found 'E' behind it");
+  }
+  return true;
 }
 
 bool missingAxis(Execution& e) {
@@ -125,8 +149,10 @@ bool executeWords(Execution& e) {
       if (!missingAxis(e)) return false;
     }
     if (w.non_modal != CodeAction::Dwell && w.non_modal != CodeAction::MacroCall &&
-        w.non_modal != CodeAction::SpindleLimit)
-      takeFeedAndSpeed(e);
+        w.non_modal != CodeAction::SpindleLimit) {
+      if (!takeFeedAndSpeed(e)) return false;
+    }
+    if (w.has('E') && !refuseExponent(e)) return false;
   }
   if (e.dialect == Dialect::Siemens && w.has('L')) {
     return failAt(e, code::kNoSuchLabel, 'L',
@@ -265,7 +291,7 @@ bool step(Execution& e) {
   const bool done = executeBlock(e) || settleFault(e);
   if (done && isNextProgram(e)) {
     warnOnce(e, code::kAssumed, "The main program ends without M30 where the next program begins");
-    e.ended = true;
+    return endProgram(e);
   }
   return done;
 }

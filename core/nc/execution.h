@@ -207,6 +207,9 @@ bool executeFlow(Execution& e);
 bool executeStopCodes(Execution& e);
 bool followJump(Execution& e);
 bool atEndOfText(Execution& e);
+/// M30 and the like: ends execution. A loop that is left so may stand open; one that nothing closes is a
+/// fault.
+bool endProgram(Execution& e);
 bool returnFromCall(Execution& e);
 
 }  // namespace nineline::nc

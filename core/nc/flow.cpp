@@ -157,7 +157,8 @@ bool whileLine(Execution& e) {
     e.loops.pop_back();
     return true;
   }
-  if (open) e.loops.pop_back();
+  // Reached again by a jump; another WHILE inside (Siemens has no labels) is no repetition.
+  if (open && open->offset == e.line_offset) e.loops.pop_back();
   if (s.truth) {
     pushLoop(e, s.label, LoopKind::While, -1);
   } else {
@@ -218,6 +219,26 @@ bool returnLine(Execution& e) {
   e.parameters->define("_value", has_value ? e.statement.arguments.front() : Value{});
   e.parameters->define("_value_returned", {has_value ? 1.0 : 0.0, false});
   return returnFromCall(e);
+}
+
+/// Looks for what closes a loop, from the line behind the one that opens it. A fault names the opening line.
+bool findEnd(Execution& e, const LoopLevel& loop) {
+  Place next{loop.offset, loop.line + 1};
+  if (loop.kind == LoopKind::While) {  // its place is the opening line itself
+    const Result<TextSource::Line> line = e.source.lineAt(loop.offset);
+    if (!line) return e.failure = line.error(), false;
+    next = {line->next, loop.line + 2};
+  }
+  jumpTo(e, next);
+  e.block.line = next.line - 1;
+  e.jump.column = 0;
+  const FlowSet ends = e.dialect == Dialect::Fanuc     ? FlowSet{Flow::End}
+                       : loop.kind == LoopKind::Repeat ? FlowSet{Flow::EndRepeat}
+                       : loop.kind == LoopKind::Do     ? FlowSet{Flow::While}
+                                                       : FlowSet{Flow::EndWhile};
+  Place place;
+  Flow found = Flow::None;
+  return findFlow(e, loop.label, ends, place, found);
 }
 
 void fanucLabel(Execution& e) {
@@ -306,8 +327,7 @@ bool followJump(Execution& e) {
     case JumpKind::None:
       return true;
     case JumpKind::End:
-      e.ended = true;
-      return true;
+      return endProgram(e);
     case JumpKind::CallNumber:
       return callNumber(e);
     case JumpKind::CallName:
@@ -323,6 +343,18 @@ bool followJump(Execution& e) {
     case JumpKind::SkipSub:
       return skipSub(e);
   }
+  return true;
+}
+
+bool endProgram(Execution& e) {
+  const Place here{e.offset, e.line};
+  const std::size_t block_line = e.block.line;
+  for (const LoopLevel& loop : e.loops) {
+    if (!findEnd(e, loop)) return false;
+  }
+  jumpTo(e, {here.offset, here.line + 1});
+  e.block.line = block_line;
+  e.ended = true;
   return true;
 }
 

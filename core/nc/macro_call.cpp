@@ -87,11 +87,7 @@ bool applyKeywords(Execution& e) {
       case Keyword::TangentArc:
         return fail(e, code::kUnknownCode, 0, "CT is not understood and is motion");
       case Keyword::Return:
-        if (e.calls.empty()) {
-          e.ended = true;
-          return true;
-        }
-        return returnFromCall(e);
+        return e.calls.empty() ? endProgram(e) : returnFromCall(e);
     }
   }
   e.gather_keywords = true;

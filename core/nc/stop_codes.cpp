@@ -52,8 +52,7 @@ bool returnOrEnd(Execution& e, const Word& word) {
   if (e.calls.empty()) {
     if (e.dialect != Dialect::Siemens)
       warnOnce(e, code::kAssumed, "M99 in the main program repeats it for ever; one pass is executed");
-    e.ended = true;
-    return true;
+    return endProgram(e);
   }
   const bool to_block = e.words.has('P') && e.dialect == Dialect::Fanuc;
   if (to_block) e.calls.back().repeats = 1;
@@ -77,8 +76,7 @@ bool executeMachineCode(Execution& e, const Word& word) {
   switch (code) {
     case 2:
     case 30:
-      e.ended = true;
-      return true;
+      return endProgram(e);
     case 98:
       return callProgram(e, word);
     case 97:

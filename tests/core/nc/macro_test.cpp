@@ -106,5 +106,25 @@ TEST(LinuxCnc, ParametersAreReadBeforeTheyAreSet) {
   EXPECT_EQ(runLinuxCnc("g0 x +0. 12 34 y 7\n").motions.at(0).end, (AxisValues{0.1234, 7.0}));
 }
 
+TEST(Flow, AProgramMayEndInsideALoopThatIsClosedFurtherOn) {
+  EXPECT_EQ(xOf(runFanuc("#1=0\nWHILE[#1LT3]DO1\n#1=#1+1\nG90G0X#1\nM30\nEND1\n")), (std::vector<double>{1}));
+  const ProgramRun left = runFanuc("WHILE[1EQ1]DO2\nGOTO 10\nEND2\nN10 G90 G0 X4.\nM30\n");
+  EXPECT_EQ(left.error, "");
+  EXPECT_EQ(left.blocks.back().line, 5U);
+  const ProgramRun siemens = runSiemens("WHILE 1==1\nWHILE 1==1\nG0 X1\nM30\nENDWHILE\nENDWHILE\n");
+  EXPECT_EQ(siemens.error, "");
+  EXPECT_EQ(runSiemens("WHILE 1==1\nWHILE 1==1\nG0 X1\nM30\nENDWHILE\n").line, 1U);
+  EXPECT_EQ(runLinuxCnc("o1 do\ng0 x1\nm2\no1 while [1 eq 1]\n").error, "");
+  EXPECT_EQ(runLinuxCnc("o1 repeat [2]\ng0 x1\nm2\n").line, 1U);
+}
+
+TEST(Flow, SiemensLoopsNest) {
+  EXPECT_EQ(xOf(runSiemens("R1=0\nG90 G0\nWHILE R1<2\nR1=R1+1\nR2=0\nWHILE R2<2\nR2=R2+1\n"
+                           "X=10*R1+R2\nENDWHILE\nENDWHILE\nM30\n")),
+            (std::vector<double>{11, 12, 21, 22}));
+}
+
+TEST(Words, AThreadMayHaveALeadOfE) { EXPECT_EQ(runFanuc("G90 G99 G32 Z-10.E1.5 F1.5\n").error, ""); }
+
 }  // namespace
 }  // namespace nineline::nc::testing

@@ -1,0 +1,6 @@
+(expect BadFlow 4:1)
+G21 G90 G1 F100
+#1=0
+WHILE[#1 LT 3]DO1
+X#1
+M30
