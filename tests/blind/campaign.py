@@ -17,7 +17,6 @@ class Options:
     def __init__(self, **changes):
         self.fresh = False            # the second campaign
         self.one_temperature = False  # every run at the same temperatures
-        self.one_load = False
         self.one_height = False       # dials at one height only
         self.linear_only = False      # one instrument only on each axis
         self.split_runs = False       # a file per run: effects with memory start anew
@@ -42,7 +41,6 @@ class Builder:
         self.machine, self.rng, self.options, self.sigma = machine, rng, options, sigma
         self.climate = states.Climate(machine, rng, rng.uniform(8, 14), options.one_temperature)
         self.clock, self.files = 600.0, []
-        self.has_loads = not options.one_load and rng.random() < 0.99
         self.range = rng.uniform(0.70, 0.85) if options.fresh else 0.92
 
     # --- conditions
@@ -55,10 +53,10 @@ class Builder:
 
     def add(self, name, instrument, head, runs, factor=1.0, channels=()):
         sigma = {unit: value * factor for unit, value in self.sigma.items()}
-        loads = self.rng.permutation(np.resize([0.0, 150.0, 300.0, 450.0], len(runs))) if self.has_loads else None
+        loads = self.rng.permutation(np.resize([0.0, 150.0, 300.0, 450.0], len(runs)))
         for run, warmth, k in zip(runs, self._warmths(len(runs)), range(len(runs))):
             self.climate.apply(run, warmth)
-            run.load = np.full(run.n, float(loads[k]) if loads is not None else 0.0)
+            run.load = np.full(run.n, float(loads[k]))
         groups = [[run] for run in runs] if self.options.split_runs else [runs]
         for k, group in enumerate(groups):
             suffix = f"-{k + 1}" if len(groups) > 1 else ""
@@ -243,7 +241,8 @@ class Builder:
             for sense in (1, -1):
                 rate = sense * rpm * 6.0
                 length = pitch / 360.0 * (-1 if hand == "left" else 1)
-                begin = {"C": 0.0 if sense > 0 else 360.0 * turns, "Z": -60.0 + (0.0 if sense > 0 else turns * 360 * length)}
+                begin = {"C": 0.0 if sense > 0 else 360.0 * turns, "Z": -60.0}
+                begin["Z"] += 0.0 if sense > 0 else turns * 360 * length
                 run = states.uniform(self.machine, {"C": rate, "Z": rate * length}, begin, abs(rate * length) * 60,
                                      self.start(200, 60), 360 * turns / abs(rate), samples)
                 found.append(run.hold(X=self.tool_reach()))

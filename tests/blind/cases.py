@@ -1,10 +1,11 @@
-"""One case from one seed: machine, baseline model, campaign, noise, what is hidden, and a fresh campaign without noise."""
+"""One case from one seed: machine, baseline model, campaign, noise, what is hidden, a fresh campaign without noise."""
 
 import copy
 
 import numpy as np
 
 import alien
+import artefacts
 import faults
 import files
 import hidden
@@ -17,8 +18,8 @@ import tables
 from campaign import Options
 from effects import contribution as library_contribution
 
-CATEGORIES = {"single": 0.34, "small": 0.07, "pair": 0.15, "triple": 0.08, "null": 0.14, "unknown": 0.11,
-              "lookalike": 0.06, "fault": 0.05}
+CATEGORIES = {"single": 0.30, "small": 0.07, "pair": 0.15, "triple": 0.08, "null": 0.13, "unknown": 0.11,
+              "lookalike": 0.06, "fault": 0.05, "artefact": 0.05}
 COUNT = {"single": 1, "small": 1, "pair": 2, "triple": 3}
 MACHINE_ODDS = {"b2-k3032": 0.35, "generic-3axis": 0.25, "trunnion-ac": 0.15, "rotary-table": 0.1, "linear-stage": 0.15}
 
@@ -28,7 +29,7 @@ class Case:
         self.seed = seed
         self.rng = np.random.default_rng([seed, 20])
         self.category = str(self.rng.choice(list(CATEGORIES), p=list(CATEGORIES.values())))
-        self.hidden, self.look = [], None
+        self.hidden, self.look, self.artefact = [], None, None
 
 
 def category_of(seed):
@@ -123,7 +124,8 @@ def _hide(case):
     """Draws the category's hidden effects with their sizes."""
     rng = case.rng
     while len(case.hidden) < COUNT.get(case.category, 0):
-        effect = hidden.draw(case.machine, rng, among=case.among)
+        first_remembers = case.options.split_runs and not case.hidden and rng.random() < 0.6
+        effect = hidden.draw(case.machine, rng, among=hidden.MEMORY if first_remembers else None)
         taken = {(one["joint"], one["component"]) for one in case.hidden}
         if (effect["joint"], effect["component"]) in taken and rng.random() < 0.7:
             continue
@@ -144,16 +146,23 @@ def _clashes(a, b):
         same_place and {a["effect"], b["effect"]} <= {"backlash", "hysteresis", "windup", "lost_motion"})
 
 
+def _draw_machine(case, rng):
+    while True:
+        machine = machines.draw(str(rng.choice(list(MACHINE_ODDS), p=list(MACHINE_ODDS.values()))), rng)
+        if case.category != "artefact" or machine.linear_joints():
+            return machine
+
+
 def draw(seed):
     """The whole case, in memory: `files` with readings, `fresh` with noise-free readings."""
     case = Case(seed)
     rng = case.rng
-    case.machine = machines.draw(str(rng.choice(list(MACHINE_ODDS), p=list(MACHINE_ODDS.values()))), rng)
+    case.machine = _draw_machine(case, rng)
     if case.category == "lookalike":
         case.look = lookalikes.choose(case, rng)
     size = rng.uniform(0.25, 0.6)
     case.sigma = {"um": round(size, 3), "arcsec": round(size * rng.uniform(0.6, 1.0), 3)}
-    splits, case.among = bool(rng.random() < 0.15) and case.category in (*COUNT, "null"), None
+    splits = bool(rng.random() < 0.15) and case.category in (*COUNT, "null")
     options = {"split_runs": splits} if case.look is None else case.look.options
     case.options = Options(**options)
     case.files = plans.build(case.machine, rng, case.options, case.sigma)
@@ -188,10 +197,13 @@ def _observe(case):
     rng = case.rng
     case.noise = noise.Noise(rng)
     vary = 0.04 if rng.random() < 0.5 else 0.0
+    case.artefact, spoilt, added = artefacts.hide(case) if case.category == "artefact" else (None, None, 0.0)
     for file in case.files:
         runs = int(file.whole.run_index.max()) + 1
         wobble = [1.0 + vary * rng.normal(size=runs) for _ in case.hidden]
         truth = true_readings(case, file, case.hidden, wobble)
+        if file.name == spoilt:
+            truth["dev_um"] = truth["dev_um"] + added
         file.readings = {name: case.noise.observe(file, name, values) for name, values in truth.items()}
     for file in case.fresh:
         file.readings = true_readings(case, file, case.hidden)
@@ -211,7 +223,7 @@ def truth_record(case):
         effects.append(one)
     return {"seed": case.seed, "category": case.category, "machine": case.machine.id, "hidden": effects,
             "separable": case.look is None, "lookalike_group": case.look.group if case.look else [],
-            "faults": case.faults, "sigma": case.sigma, "noise": case.noise.text(), "table_noise": case.table_noise,
+            "faults": case.faults, "artefact": case.artefact, "sigma": case.sigma, "noise": case.noise.text(), "table_noise": case.table_noise,
             "samples": int(sum(file.whole.n for file in case.files)), "location": case.location,
             "tables": [{"component": t.component, "start": t.start, "spacing": t.step, "values": t.values,
                         "interpolation": t.interpolation} for t in case.tables]}

@@ -15,15 +15,15 @@ def _cell(value, digits):
 def _joint_columns(machine, file, gives_speed):
     whole, columns = file.whole, []
     for letter, one in machine.joints.items():
-        columns.append((f"{letter}_{one.unit}", whole.q[letter], 4))
-    if file.whole.is_stepped:
-        columns += [(f"approach_{letter}_1", whole.s[letter], 0) for letter in machine.joints]
+        columns.append((f"{letter}_{one.unit}", whole.q[letter], 6))
+    told = [letter for letter in machine.joints if whole.is_stepped or letter not in whole.moving]
+    columns += [(f"approach_{letter}_1", whole.s[letter], 0) for letter in told]
     for letter in whole.moving:
         unit = machine.joints[letter].unit
         if whole.is_stepped or gives_speed:
-            columns.append((f"v_{letter}_{unit}_min", whole.v[letter] * 60.0, 3))
+            columns.append((f"v_{letter}_{unit}_min", whole.v[letter] * 60.0, 5))
         if gives_speed and not whole.is_stepped:
-            columns.append((f"a_{letter}_{unit}_s2", whole.a[letter], 3))
+            columns.append((f"a_{letter}_{unit}_s2", whole.a[letter], 5))
     return columns
 
 
@@ -43,7 +43,7 @@ def _condition_columns(file, faults):
 def _head(file, declared):
     lines = ["#nineline-measurement: 1", f"#machine: {file.machine_id}", f"#instrument: {file.instrument}"]
     for key, value in file.head.items():
-        lines.append(f"#{key}: {' '.join(f'{v:g}' for v in value) if isinstance(value, list) else value}")
+        lines.append(f"#{key}: {' '.join(f'{v:.10g}' for v in value) if isinstance(value, list) else value}")
     for unit in ("um", "arcsec"):
         used = any(name.endswith(unit) for name in file.readings)
         if used and declared.get(unit) is not None:
@@ -53,7 +53,7 @@ def _head(file, declared):
 
 def write_measurement(path, machine, file, declared, faults=None, gives_speed=True):
     """One CSV; `file.readings` holds the reading columns."""
-    columns = [("run", file.whole.run_index, 0), ("t_s", file.whole.t, 4)]
+    columns = [("run", file.whole.run_index, 0), ("t_s", file.whole.t, 6)]
     columns += _joint_columns(machine, file, gives_speed) + _condition_columns(file, faults or {})
     columns += [(name, values, 6) for name, values in file.readings.items()]
     lines = _head(file, declared) + [",".join(name for name, _, _ in columns)]

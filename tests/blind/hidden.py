@@ -206,6 +206,8 @@ def equivalents(machine, effect):
     if effect["effect"] in PLACELESS:
         joints = list(machine.joints)
     found = [{"effect": name, "joint": joint} for name in names for joint in joints]
+    if effect["effect"] == "cyclic" and not machine.joints[effect["joint"]].linear:
+        found.append({"effect": "encoder_subdivision", "joint": effect["joint"]})
     if effect["effect"] == "straightness":
         found.append({"effect": "sag", "joint": effect["joint"]})
     return found

@@ -117,6 +117,25 @@ def finds_fault(fault, answer):
     return False
 
 
+def judge_artefact(artefact, answer):
+    """Whether the artefact has its name, or at least a note on its file; whatever else is named is false."""
+    named = [one for one in named_effects(answer) if one.get("effect") == artefact["effect"]]
+    others = [f"{one.get('effect')}@{one.get('joint')}" for one in named_effects(answer)
+              if one.get("effect") != artefact["effect"]]
+    noted = any(pathlib.Path(str(note.get("file", ""))).name == artefact["file"] for note in answer.get("data_quality", []))
+    return {"artefact": artefact["effect"], "artefact_named": bool(named), "artefact_noted": bool(named) or noted,
+            "false_names": others, "names": [f"{one.get('effect')}@{one.get('joint')}" for one in named_effects(answer)]}
+
+
+def points_at_joint(truth, answer):
+    """Whether `where` speaks of the position of a joint that a hidden effect belongs to; None where nothing is hidden."""
+    if not truth["hidden"]:
+        return None
+    variables = {condition.get("variable", "") for place in answer.get("where", [])
+                 for condition in place.get("conditions", [])}
+    return any(f"{one['joint']}_{unit}" in variables for one in truth["hidden"] for unit in ("mm", "deg"))
+
+
 # --- fresh data
 
 def squares(predicted_csv, sigma):

@@ -16,7 +16,7 @@ class ProgramFailed(Exception):
     pass
 
 
-def _run(cli, *arguments):
+def run(cli, *arguments):
     if callable(cli):
         return cli(arguments)
     done = subprocess.run([str(one) for one in (cli, *arguments)], capture_output=True, text=True, timeout=LIMIT_S)
@@ -32,7 +32,7 @@ def discover(cli, folder, threads=None):
     measured = sorted((folder / "first").glob("*.csv"))
     started = time.monotonic()
     options = ["--threads", threads] if threads else []
-    text = _run(cli, *options, "--json", "discover", "--model", model, *measured, "--out", new)
+    text = run(cli, *options, "--json", "discover", "--model", model, *measured, "--out", new)
     seconds = time.monotonic() - started
     try:
         answer = json.loads(text)
@@ -46,7 +46,7 @@ def mean_square(cli, model, folder, sigma):
     """Mean squared residual (in sigmas) of a model on the fresh, noise-free campaign."""
     total, count, out = 0.0, 0, folder / "predicted.csv"
     for file in sorted((folder / "fresh").glob("*.csv")):
-        _run(cli, "--quiet", "predict", "--model", model, file, "--out", out)
+        run(cli, "--quiet", "predict", "--model", model, file, "--out", out)
         one, n = judge.squares(out, sigma)
         total, count = total + one, count + n
     return total / max(count, 1)
@@ -68,6 +68,9 @@ def trial(cli, folder, threads=None):
         if truth["faults"]:
             record["fault"] = truth["faults"][0]["kind"]
             record["finds_fault"] = judge.finds_fault(truth["faults"][0], answer)
+        if truth.get("artefact"):
+            record.update(judge.judge_artefact(truth["artefact"], answer))
+        record["where_right"] = judge.points_at_joint(truth, answer)
         before = mean_square(cli, folder / "model.json", folder, truth["sigma"])
         after = mean_square(cli, folder / "new.json", folder, truth["sigma"])
         record.update(before=before, after=after, closed_pct=judge.closed_pct(before, after))

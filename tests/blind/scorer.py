@@ -111,6 +111,15 @@ def _fault_rows(records):
                    _plain_share("false names beside a data fault", [o.get("false_names") for o in cases])]
 
 
+def _artefact_rows(records):
+    cases = [o for o in _of(records, "artefact") if "failed" not in o]
+    return [_plain_share("measurement artefact named", [o["artefact_named"] for o in cases]),
+            _plain_share("— or its file pointed at", [o["artefact_noted"] for o in cases]),
+            _plain_share("— without another name beside it", [not o["false_names"] for o in cases]),
+            _plain_share("`where` speaks of the right joint (one hidden thing)",
+                         [o.get("where_right") for o in _of(records, "single", "unknown")])]
+
+
 def _time_rows(records):
     scaled = [o["seconds"] * 2000.0 / o["samples"] for o in records if "seconds" in o]
     raw = [o["seconds"] for o in records if "seconds" in o]
@@ -121,7 +130,8 @@ def _time_rows(records):
 
 def rows(records):
     return (_name_rows(records) + _closing_rows(records) + _parameter_rows(records) + _unknown_rows(records)
-            + _honesty_rows(records) + _fault_rows(records) + _time_rows(records))
+            + _honesty_rows(records) + _fault_rows(records) + _artefact_rows(records)
+            + _time_rows(records))
 
 
 def markdown(records, seeds):
@@ -155,6 +165,8 @@ def _is_right(one):
         return one["verdict"] in ("unknown", "partly")
     if one["category"] == "lookalike":
         return one["lists_lookalike"]
+    if one["category"] == "artefact":
+        return one["artefact_noted"] and not one["false_names"]
     return one["exact_set"] and one.get("finds_fault", True)
 
 
@@ -162,7 +174,7 @@ def _complaint(one):
     if "failed" in one:
         return f"- seed {one['seed']} ({one['category']}, {one['machine']}): {one['failed']}"
     hidden = ", ".join(f"{o['effect']}{'/' + o['kind'] if 'kind' in o else ''}@{o['joint']} {o['component']} "
-                       f"{o['amplitude_sigma']:.1f}σ" for o in one["hidden_effects"]) or "nothing"
+                       f"{o['amplitude_sigma']:.1f}σ" for o in one["hidden_effects"]) or one.get("artefact") or one.get("fault") or "nothing"
     closed = one.get("closed_pct")
     return (f"- seed {one['seed']} ({one['category']}, {one['machine']}): hidden {hidden}; verdict {one['verdict']}, named "
             f"{', '.join(one['names']) or 'nothing'}; closed {'–' if closed is None else f'{closed:.1f} %'}")
