@@ -238,6 +238,7 @@ def write(case, folder):
             file.machine_id = case.machine.id
             declared = {unit: case.noise.declared_sigma(file, unit) for unit in ("um", "arcsec")}
             files.write_measurement(folder / name / f"{file.name}.csv", case.machine, file, declared,
-                                    case.sensor_faults if name == "first" else {}, speeds)
+                                    case.sensor_faults if name == "first" else {}, speeds,
+                                    0.05 if name == "first" else 0.0005)
     files.write_json(folder / "model.json", case.model)
     files.write_json(folder / "truth.json", truth_record(case))

@@ -49,7 +49,7 @@ def _largest(cli, case, folder, found):
     for file in case.fresh:
         file.readings, file.machine_id = _exact(case, file, found), case.machine.id
         path, out = folder / f"{file.name}.csv", folder / "predicted.csv"
-        files.write_measurement(path, case.machine, file, {"um": 0.1, "arcsec": 0.1})
+        files.write_measurement(path, case.machine, file, {"um": 0.1, "arcsec": 0.1}, temperature_step=0.0005)
         runner.run(cli, "--quiet", "predict", "--model", folder / "true.json", path, "--out", out)
         worst[file.instrument] = max(worst.get(file.instrument, 0.0), _worst_residual(out))
     return worst

@@ -10,6 +10,9 @@ import numpy as np
 from states import lagged
 
 DEGREE = np.pi / 180.0
+# A rotor's eccentricity, lobing and wobble are written in the standing frame: there a cos(C + phi), a sin(C + phi) is
+# a shift that turns with the body, once per turn on a dial. (In the moved frame a dial would see two waves.)
+ROTOR_IN_STANDING_FRAME = True
 
 
 def _u(machine, joint, q):
@@ -42,7 +45,7 @@ class View:
 
     def column(self):
         sensor = self.p["sensor"]
-        return self.whole.temps[sensor] - 20.0 if sensor in self.whole.temps else self.whole.columns[f"{sensor}_1"]
+        return self.whole.temps[sensor] - 20.0 if sensor in self.whole.temps else self.whole.columns[sensor]
 
     def rate(self):
         """v for a lag in ms: um, or arcsec for a rotary joint."""
@@ -96,12 +99,12 @@ FORMULAS = {
 
 
 def _round(e, components, n, amplitude):
-    angle = n * e.q * DEGREE + e.p["phase"] * DEGREE
-    return [(components[0], True, amplitude * np.cos(angle)), (components[1], True, amplitude * np.sin(angle))]
+    angle, standing = n * e.q * DEGREE + e.p["phase"] * DEGREE, ROTOR_IN_STANDING_FRAME
+    return [(components[0], standing, amplitude * np.cos(angle)), (components[1], standing, amplitude * np.sin(angle))]
 
 
 def contribution(machine, effect, whole):
-    """What the effect adds. A rotor's eccentricity, lobing and wobble are seen from the standing frame."""
+    """What the effect adds."""
     e, name = View(machine, effect, whole), effect["effect"]
     letter = effect["joint"]
     if name in ("eccentricity", "lobing"):

@@ -27,15 +27,15 @@ def _joint_columns(machine, file, gives_speed):
     return columns
 
 
-def _condition_columns(file, faults):
+def _condition_columns(machine, file, faults, step):
     whole = file.whole
-    columns = [("feed_mm_min", whole.feed, 1)] if np.ptp(whole.feed) > 0 or not whole.is_stepped else []
-    if np.ptp(whole.wheel_pass) > 0:
+    columns = [("feed_mm_min", whole.feed, 1)]
+    if machine.id == "b2-k3032":
         columns.append(("pass_1", whole.wheel_pass, 0))
     columns.append(("load_kg", whole.load, 1))
     for sensor, values in whole.temps.items():
         shown = faults.get((file.name, sensor), values)
-        columns.append((f"temp_{sensor}_C", np.round(shown / 0.05) * 0.05, 2))
+        columns.append((f"temp_{sensor}_C", np.round(shown / step) * step, 4))
     columns += [(name, values, 3) for name, values in whole.columns.items() if name.endswith("_1")]
     return columns
 
@@ -51,10 +51,10 @@ def _head(file, declared):
     return lines
 
 
-def write_measurement(path, machine, file, declared, faults=None, gives_speed=True):
-    """One CSV; `file.readings` holds the reading columns."""
+def write_measurement(path, machine, file, declared, faults=None, gives_speed=True, temperature_step=0.05):
+    """One CSV; `file.readings` holds the reading columns, `faults` what a broken sensor shows instead."""
     columns = [("run", file.whole.run_index, 0), ("t_s", file.whole.t, 6)]
-    columns += _joint_columns(machine, file, gives_speed) + _condition_columns(file, faults or {})
+    columns += _joint_columns(machine, file, gives_speed) + _condition_columns(machine, file, faults or {}, temperature_step)
     columns += [(name, values, 6) for name, values in file.readings.items()]
     lines = _head(file, declared) + [",".join(name for name, _, _ in columns)]
     for i in range(file.whole.n):

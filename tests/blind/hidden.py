@@ -79,7 +79,8 @@ def _rotor(name, component, extra):
 
 
 def _effect(name, joint, component, parameters):
-    return {"effect": name, "joint": joint.letter, "component": component, "parameters": parameters}
+    one = {"effect": name, "joint": joint.letter, "component": component, "parameters": parameters}
+    return {**one, "frame": "fixed"} if name in ("eccentricity", "lobing", "wobble") else one
 
 
 def _phase(rng):
@@ -172,7 +173,7 @@ DRAWERS = {
     "load_deformation": _with_load("load_deformation", "XYZ"),
     "thermal_head": _standing("thermal_head", "head", (300, 2500)),
     "thermal_ambient": _standing("thermal_ambient", "ambient", (600, 4000)),
-    "coolant": _standing("coolant", "coolant", (200, 1500)), "drift": _standing("drift", None, None),
+    "coolant": _standing("coolant", "coolant_1", (200, 1500)), "drift": _standing("drift", None, None),
     "wheel_wear": _wheel("wheel_wear"), "wheel_deflection": _wheel("wheel_deflection"),
     "eccentricity": _rotor("eccentricity", "EXC", _round([1])), "lobing": _rotor("lobing", "EXC", _round([2, 3])),
     "wobble": _rotor("wobble", "EAC", lambda m, j, r: {"phase": _phase(r)}),
