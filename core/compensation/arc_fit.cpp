@@ -38,6 +38,7 @@ Vector2d fittedCentre(const std::vector<Vector2d>& points, const Vector2d& guess
 
 constexpr double kAlmostTurn = kTurn - 0.2;  // rad: from here on the way to the end decides how far it goes
 constexpr double kShortArc = 0.05;           // mm
+constexpr double kMostShift = 0.1;           // of the radius: what errors may move a centre by
 
 void setInPlane(const Motion& motion, const Vector2d& point, AxisValues& values) {
   values[static_cast<std::size_t>(motion.plane[0])] = point.x();
@@ -81,7 +82,11 @@ Result<bool> MotionPlanner::arcFits(const Motion& motion, const Node& a, const N
   const Vector2d nominal(motion.centre[0], motion.centre[1]);
   const Vector2d guess =
       nominal + points[0] - inPlane(motion, positionAt(motion, machine_.jointCount(), a.fraction));
-  const Vector2d centre = centreBetween(points[0], points[1], fittedCentre(points, guess));
+  // A short arc says little about its centre: what the words round must not carry it away.
+  Vector2d fitted = fittedCentre(points, guess);
+  const double radius = (ideal_start - nominal).norm();
+  if (!((fitted - guess).norm() <= kMostShift * radius)) fitted = guess;
+  const Vector2d centre = centreBetween(points[0], points[1], fitted);
   piece.arc = true;
   piece.centre = {centre.x(), centre.y()};
   piece.sweep = sweepAbout(centre, points[0], points[1], motion.sweep * part);

@@ -37,7 +37,7 @@ Result<void> checkOptions(const ErrorModel& model, const CompensationOptions& op
 
 /// The last gate: a corrected program may not leave the ideal path further than the errors and a correction.
 Result<void> checkOutcome(const CompensationReport& report, const CompensationOptions& options,
-                          const std::string& name) {
+                          const std::string& name, std::size_t worst_line) {
   const double largest = report.before.norm.max + options.largest_correction;
   if (report.after.norm.max <= largest) return {};
   return noAnswer(
@@ -45,7 +45,7 @@ Result<void> checkOutcome(const CompensationReport& report, const CompensationOp
       fmt::format("The check of the corrected program failed: it leaves the ideal path by {:.6g} mm. "
                   "Nothing was written.",
                   report.after.norm.max),
-      name);
+      name, worst_line);
 }
 
 /// Says in which directions a deviation remains that no joint can remove.
@@ -102,11 +102,13 @@ Result<CompensationReport> compensateProgram(
                     fmt::format("The corrected program would be worse than the original: {:.6f} mm RMS "
                                 "instead of {:.6f} mm. Nothing was written.",
                                 check->after.norm.rms, check->before.norm.rms),
-                    program.name());
+                    program.name(), check->worst_line);
   }
+  const std::size_t worst_line = check->worst_line;
   report.before = std::move(check->before);
   report.after = std::move(check->after);
-  if (Result<void> fine = checkOutcome(report, options, program.name()); !fine) return fine.error();
+  if (Result<void> fine = checkOutcome(report, options, program.name(), worst_line); !fine)
+    return fine.error();
   warnRemains(report, options);
   return report;
 }

@@ -196,7 +196,8 @@ Result<void> MotionPlanner::planSection(const Motion& motion, double from, doubl
       jointsOf(machine_, positionAt(motion, machine_.jointCount(), from), motion.tool_centre_point);
   if (!ideal) return ideal.error();
   // The corrected program stands where its last block put it; its rounding is no reason to subdivide.
-  const Node start{from, *ideal, stands_};
+  Node start{from, *ideal, stands_};
+  for (std::size_t k = 0; k < stands_.size(); ++k) start.corrected[k] -= followed_[k];
   const Result<Node> end = solveAt(motion, to);
   if (!end) return end.error();
   for (std::size_t k = 0; k < largest_.size(); ++k)

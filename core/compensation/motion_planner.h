@@ -91,12 +91,13 @@ class MotionPlanner {
   PointSolver solver_;
   JointPositions correction_{};  // of the last point: the next one starts from it
   JointPositions largest_{};
-  Senses senses_{};           // in which the ideal motion moves the joints
-  Senses now_{};              // in which the corrected commands moved last; 0: not yet
-  JointPositions stands_{};   // where the joints have to stand at the end of the last piece
-  JointPositions held_{};     // the commands there, before rounding
-  JointPositions play_{};     // signed width of each joint's play: actual − command = −(play/2) · sense
-  JointPositions holding_{};  // a joint with play turns back only for more than this, mm or rad
+  Senses senses_{};            // in which the ideal motion moves the joints
+  Senses now_{};               // in which the corrected commands moved last; 0: not yet
+  JointPositions stands_{};    // where the joints have to stand at the end of the last piece
+  JointPositions followed_{};  // of that, what makes up for the rounding of rotary words
+  JointPositions held_{};      // the commands there, before rounding
+  JointPositions play_{};      // signed width of each joint's play: actual − command = −(play/2) · sense
+  JointPositions holding_{};   // a joint with play turns back only for more than this, mm or rad
   bool has_play_ = false;
   double rotary_step_ = 0.0;            // least increment of rotary words, rad
   std::optional<JointPositions> last_;  // ideal end of the last motion

@@ -43,6 +43,7 @@ Result<void> MotionPlanner::startFrom(const Motion& motion, const AxisValues& at
   const Result<JointPositions> q = jointsOf(machine_, at, motion.tool_centre_point);
   if (!q) return q.error();
   held_ = stands_ = *q;
+  followed_.fill(0.0);
   for (std::size_t k = 0; k < stands_.size(); ++k) {
     if (isFree(k)) stands_[k] -= offsetOf(k);
   }
@@ -59,6 +60,7 @@ bool MotionPlanner::turnsBack(std::size_t joint, double travel) const {
 
 /// Rotary words are coarse at a long lever: the linear joints take up what their rounding does to the tip.
 void MotionPlanner::followRotaryWords(const Node& b, JointPositions& places) {
+  followed_.fill(0.0);
   if (rotary_step_ <= 0.0) return;
   JointPositions rounding{};
   unsigned linear = 0;
@@ -89,6 +91,7 @@ void MotionPlanner::followRotaryWords(const Node& b, JointPositions& places) {
     if (turnsBack(k, travel + by[k]) && !turnsBack(k, travel)) return;
   }
   for (std::size_t k = 0; k < by.size(); ++k) places[k] += by[k];
+  followed_ = by;
 }
 
 /// Commands that bring the joints to their places, and those that cross the play of joints that turn back;

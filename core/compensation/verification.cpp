@@ -174,7 +174,7 @@ class Comparison {
   Verification result() const {
     const bool cuts = !cut_before_.empty();
     return {cuts ? cut_before_.summary() : all_before_.summary(),
-            cuts ? cut_after_.summary() : all_after_.summary()};
+            cuts ? cut_after_.summary() : all_after_.summary(), worst_line_};
   }
 
  private:
@@ -196,6 +196,10 @@ class Comparison {
     const Deviation deviation_before = deviationOf(ideal, before, joint_errors);
     const Deviation deviation_after = deviationOf(ideal, after, joint_errors);
     length_ += step;
+    if (const double off = deviation_after.tip.norm(); off > worst_) {
+      worst_ = off;
+      worst_line_ = original.line;
+    }
     if (sink_) {
       const bool rapid = original.kind == MotionKind::Rapid;
       sink_({original.line, rapid, block_end, length_, time_, ideal_q, ideal, before, deviation_before},
@@ -219,6 +223,8 @@ class Comparison {
   Eigen::Vector3d last_tip_ = Eigen::Vector3d::Zero();
   double length_ = 0.0;
   double time_ = 0.0;
+  double worst_ = 0.0;
+  std::size_t worst_line_ = 0;
   bool first_ = true;
 };
 

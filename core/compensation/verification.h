@@ -8,6 +8,7 @@ namespace nineline::compensation {
 struct Verification {
   DeviationSummary before;
   DeviationSummary after;
+  std::size_t worst_line = 0;  ///< of the original: where the corrected program deviates most
 };
 
 /// Reads the original and the corrected program side by side and simulates both, apart from the solver:

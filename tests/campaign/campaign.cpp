@@ -87,28 +87,36 @@ Outcome run(const Case& one, const Writing& writing, const SecondOpinion* opinio
   options.linear_decimals = one.program.inch ? writing.linear_inch : writing.linear_mm;
   options.rotary_decimals = writing.rotary;
   NoProgress progress;
-  const Result<compensation::CompensatedText> done =
-      compensation::compensateText(*model, "campaign.nc", one.program.text, setup, options, progress);
+  std::string& text = outcome.corrected_text;  // also of a program that is refused: to see why
+  nc::MemoryText source("campaign.nc", one.program.text);
+  const compensation::TextSink sink = [&](std::string_view piece) -> Result<void> {
+    text += piece;
+    return {};
+  };
+  const auto written = [&]() -> Result<std::unique_ptr<nc::TextSource>> {
+    return std::unique_ptr<nc::TextSource>(std::make_unique<nc::MemoryText>("campaign.nc", text));
+  };
+  const Result<compensation::CompensationReport> done =
+      compensation::compensateProgram(*model, source, setup, options, sink, written, progress);
   if (!done) {
     outcome.fault = "compensate: " + done.error().message();
     return outcome;
   }
-  outcome.corrected_text = done->text;
-  outcome.blocks = done->report.blocks;
-  outcome.seconds = done->report.seconds;
+  outcome.blocks = done->blocks;
+  outcome.seconds = done->seconds;
   outcome.lines = linesOf(one.program.text);
-  outcome.corrected_lines = linesOf(done->text);
-  outcome.reported_before = done->report.before.norm.rms;
-  outcome.reported_after = done->report.after.norm.rms;
+  outcome.corrected_lines = linesOf(text);
+  outcome.reported_before = done->before.norm.rms;
+  outcome.reported_after = done->after.norm.rms;
   const nc::InterpreterOptions reading = simulation::interpreterOptionsOf(model->machine(), setup);
   const Result<std::vector<PlainMotion>> original = motionsOf(one.program.text, reading);
-  const Result<std::vector<PlainMotion>> corrected = motionsOf(done->text, reading);
+  const Result<std::vector<PlainMotion>> corrected = motionsOf(text, reading);
   if (!original || !corrected) {
     outcome.fault = "reading: " + (original ? corrected.error() : original.error()).message();
     return outcome;
   }
   const PlainPhysics physics(one.machine);
-  outcome.paths = comparePaths(physics, one.program.text, *original, done->text, *corrected, setup.start);
+  outcome.paths = comparePaths(physics, one.program.text, *original, text, *corrected, setup.start);
   outcome.fault = outcome.paths.fault;
   if (opinion != nullptr) askSecond(one, *opinion, outcome);
   return outcome;
