@@ -47,6 +47,8 @@ struct Measurement {
   std::vector<Covariate> covariates;
   /// Joints that have a column, in joint order; the others stand at 0.
   std::vector<bool> commanded;
+  /// Column names in the order of the file; empty when there is no file.
+  std::vector<std::string> columns;
   /// Head lines that this version does not use, in order: key and value.
   std::vector<std::pair<std::string, std::string>> other_head;
 

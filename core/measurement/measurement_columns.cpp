@@ -41,6 +41,7 @@ class Assigner {
         assignRole(column);
       }
       columns_.push_back(column);
+      measurement_.columns.push_back(column.name);
     }
     if (measurement_.channels.empty()) reportNoReadings();
     return std::move(columns_);

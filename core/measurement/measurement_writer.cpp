@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/measurement/measurement_file.h"
@@ -71,6 +73,12 @@ void addSigma(const Measurement& measurement, const char* name, std::optional<do
   });
 }
 
+/// Place of a column in the file that the measurement came from; behind all others where it has none.
+std::ptrdiff_t placeOf(const Measurement& measurement, const std::string& name) {
+  return std::find(measurement.columns.begin(), measurement.columns.end(), name) -
+         measurement.columns.begin();
+}
+
 std::vector<WrittenColumn> columnsOf(const Measurement& measurement, const Machine& machine,
                                      const std::vector<ExtraColumn>& more) {
   std::vector<WrittenColumn> columns;
@@ -105,6 +113,9 @@ std::vector<WrittenColumn> columnsOf(const Measurement& measurement, const Machi
   }
   addSigma(measurement, "sigma_um", &Sample::sigma, umFromMm, columns);
   addSigma(measurement, "sigma_arcsec", &Sample::angular_sigma, arcsecFromRad, columns);
+  std::stable_sort(columns.begin(), columns.end(), [&](const WrittenColumn& one, const WrittenColumn& other) {
+    return placeOf(measurement, one.name) < placeOf(measurement, other.name);
+  });
   for (const ExtraColumn& one : more) {
     addColumn(columns, one.name, count, [&](std::size_t i) { return one.values[i]; });
   }
