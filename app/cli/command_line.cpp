@@ -55,9 +55,9 @@ int runCommandLine(int argc, const char* const* argv) {
   Console::Options options;
   addCommonOptions(app, options);
   app.require_subcommand(1);
-  const std::array commands{addMachinesCommand(app),   addThreadCommand(app),  addSimulateCommand(app),
-                            addCompensateCommand(app), addPredictCommand(app), addDiscoverCommand(app),
-                            addDemoCommand(app)};
+  const std::array commands{addMachinesCommand(app),   addThreadCommand(app),   addSimulateCommand(app),
+                            addCompensateCommand(app), addIdentifyCommand(app), addPredictCommand(app),
+                            addDiscoverCommand(app),   addDemoCommand(app)};
   for (CLI::App* command : app.get_subcommands({})) {
     command->fallthrough();
     command->footer("Common options: --json  --quiet  --threads N");

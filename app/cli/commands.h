@@ -21,6 +21,8 @@ struct Command {
 [[nodiscard]] Command addThreadCommand(CLI::App& app);
 [[nodiscard]] Command addSimulateCommand(CLI::App& app);
 [[nodiscard]] Command addCompensateCommand(CLI::App& app);
+[[nodiscard]] Command addIdentifyCommand(CLI::App& app);
+[[nodiscard]] Command addEvaluateCommand(CLI::App& app);
 [[nodiscard]] Command addPredictCommand(CLI::App& app);
 [[nodiscard]] Command addDiscoverCommand(CLI::App& app);
 [[nodiscard]] Command addDemoCommand(CLI::App& app);
