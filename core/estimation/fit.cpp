@@ -9,7 +9,7 @@ std::size_t Fit::outliers() const { return static_cast<std::size_t>((weights.arr
 namespace {
 
 constexpr int kNoiseSteps = 12;
-constexpr double kSettled = 1e-3;     // relative change of noise levels
+constexpr double kSettled = 1e-2;     // relative change of noise levels
 constexpr double kSmallStep = 1e-12;  // mm, rad: a prediction that changes less has settled
 constexpr double kSmallStepSigmas = 1e-5;
 

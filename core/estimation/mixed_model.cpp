@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kUsualRatio = 0.25;     // variance of run offsets by that of the noise, before any data
 constexpr double kRatioFreedom = 0.5;    // runs that the usual ratio counts for
+constexpr double kPooledFreedom = 4.0;   // runs that the ratio of all classes together counts for in one
 constexpr double kLeastScale = 1e-8;     // of the stated repeatability: keeps noiseless readings finite
 constexpr double kZeroPrecision = 1e-4;  // 1/mm²: an unused zero stays at 0
 
@@ -181,14 +182,21 @@ NoiseLevels updatedNoise(const ReadingSet& readings, const NormalSums& sums, con
     classes[readings.noiseOf(row)].square += weights[static_cast<Index>(row)] * part * part;
   }
   NoiseLevels out = noise;
+  double pooled_square = kRatioFreedom * kUsualRatio;
+  double pooled_freedom = kRatioFreedom;
+  for (const ClassSums& one : classes) {
+    pooled_square += one.offset_square;
+    pooled_freedom += one.offset_freedom;
+  }
+  const double pooled = pooled_square / pooled_freedom;
   for (std::size_t c = 0; c < classes.size(); ++c) {
     const double stated = readings.classes()[c].stated ? kStatedFreedom : 0.0;
     const double freedom = classes[c].freedom + stated;
     if (freedom > 0.5) {
       out.scale[c] = std::max(kLeastScale, std::sqrt((classes[c].square + stated) / freedom));
     }
-    out.ratio[c] = (classes[c].offset_square + kRatioFreedom * kUsualRatio) /
-                   (classes[c].offset_freedom + kRatioFreedom);
+    out.ratio[c] =
+        (classes[c].offset_square + kPooledFreedom * pooled) / (classes[c].offset_freedom + kPooledFreedom);
   }
   return out;
 }

@@ -22,6 +22,12 @@ Result<ReadingSet> ReadingSet::make(const Machine& machine, std::span<const Meas
   return set;
 }
 
+void ReadingSet::rescale(std::size_t file, double factor) {
+  for (ReadingPlace& reading : readings_) {
+    if (groups_[reading.group].file == file) reading.sigma *= factor;
+  }
+}
+
 std::size_t ReadingSet::groupOf(const RunGroup& group) {
   for (std::size_t g = groups_.size(); g-- > 0 && groups_[g].file == group.file;) {
     if (groups_[g].channel == group.channel && groups_[g].run == group.run) return g;

@@ -12,7 +12,8 @@ namespace nineline::estimation {
 using kinematics::Machine;
 using measurement::Measurement;
 
-/// Readings of one kind of instrument and one kind of unit share one level of noise.
+/// Readings of one kind of instrument and one kind of unit share one level of noise, relative to the sigma of
+/// each.
 struct NoiseClass {
   measurement::InstrumentKind kind = measurement::InstrumentKind::Deviation;
   bool angular = false;
@@ -68,6 +69,9 @@ class ReadingSet {
   [[nodiscard]] const measurement::ReadingFunction& function(std::size_t file) const {
     return functions_[file];
   }
+  /// Multiplies the sigma of all readings of a file: where nothing is stated, the readings themselves say how
+  /// well one file repeats beside another.
+  void rescale(std::size_t file, double factor);
   [[nodiscard]] std::size_t noiseOf(std::size_t row) const { return groups_[readings_[row].group].noise; }
 
  private:

@@ -50,6 +50,36 @@ std::vector<double> robustScales(const ReadingSet& readings, const VectorXd& res
   return scales;
 }
 
+std::vector<double> fileFactors(const Linearisation& linearisation, const NoiseLevels& noise,
+                                const Eigen::SparseMatrix<double>& map, const MatrixXd& covariance,
+                                const VectorXd& rest, const VectorXd& weights) {
+  const ReadingSet& readings = linearisation.readings();
+  const Eigen::SparseMatrix<double> transposed = map.transpose();
+  const bool counts =
+      static_cast<double>(readings.rows()) * static_cast<double>(map.cols() * map.cols()) < 4e9;
+  std::vector<double> square(readings.files().size(), 0.0);
+  std::vector<double> freedom(readings.files().size(), 0.0);
+  for (const RunGroup& group : readings.groups()) freedom[group.file] -= 1.0;  // its offset or its zero
+  for (std::size_t row = 0; row < readings.rows(); ++row) {
+    const auto at = static_cast<Index>(row);
+    if (weights[at] <= 0.0) continue;
+    const ReadingPlace& reading = readings.readings()[row];
+    const RunGroup& group = readings.groups()[reading.group];
+    const double sigma = noise.scale[group.noise] * reading.sigma;
+    square[group.file] += rest[at] * rest[at] / (sigma * sigma);
+    freedom[group.file] += 1.0;
+    if (!counts) continue;
+    const VectorXd a = transposed * linearisation.row(row);
+    freedom[group.file] -= std::min(1.0, a.dot(covariance * a) / (sigma * sigma));
+  }
+  std::vector<double> factors(square.size(), 1.0);
+  for (std::size_t file = 0; file < square.size(); ++file) {
+    if (freedom[file] < kFewReadings || square[file] <= 0.0) continue;
+    factors[file] = std::clamp(std::sqrt(square[file] / freedom[file]), 0.05, 20.0);
+  }
+  return factors;
+}
+
 VectorXd outlierWeights(const Linearisation& linearisation, const NoiseLevels& noise,
                         const Eigen::SparseMatrix<double>& map, const MixedSolution& solution,
                         const VectorXd& rest, const VectorXd& weights, double outlier) {

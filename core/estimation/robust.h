@@ -28,4 +28,12 @@ struct RobustOptions {
                                       const Eigen::SparseMatrix<double>& map, const MixedSolution& solution,
                                       const VectorXd& rest, const VectorXd& weights, double outlier);
 
+/// By file: how far its readings scatter beside the level of their noise classes (1: as far as those). What
+/// the fit has taken of each reading is counted. 1 for files of fewer than `kFewReadings` readings.
+inline constexpr double kFewReadings = 12.0;
+[[nodiscard]] std::vector<double> fileFactors(const Linearisation& linearisation, const NoiseLevels& noise,
+                                              const Eigen::SparseMatrix<double>& map,
+                                              const MatrixXd& covariance, const VectorXd& rest,
+                                              const VectorXd& weights);
+
 }  // namespace nineline::estimation
