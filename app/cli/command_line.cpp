@@ -56,8 +56,8 @@ int runCommandLine(int argc, const char* const* argv) {
   addCommonOptions(app, options);
   app.require_subcommand(1);
   const std::array commands{addMachinesCommand(app),   addThreadCommand(app),   addSimulateCommand(app),
-                            addCompensateCommand(app), addIdentifyCommand(app), addPredictCommand(app),
-                            addDiscoverCommand(app),   addDemoCommand(app)};
+                            addCompensateCommand(app), addIdentifyCommand(app), addEvaluateCommand(app),
+                            addPredictCommand(app),    addDiscoverCommand(app), addDemoCommand(app)};
   for (CLI::App* command : app.get_subcommands({})) {
     command->fallthrough();
     command->footer("Common options: --json  --quiet  --threads N");
