@@ -41,7 +41,8 @@ enum class Role {
   Amplitude,  ///< of a wave; with the Phase two linear coefficients
   Phase,
   NonLinear,  ///< searched from `starts`, then refined between low and high
-  Choice      ///< one of `starts`, never between them
+  Choice,     ///< one of `starts`, never between them
+  Given       ///< belongs to the set-up; neither fitted nor searched
 };
 
 /// Joints that an effect may sit on.

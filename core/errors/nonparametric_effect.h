@@ -12,13 +12,13 @@ namespace nineline::errors {
 /// The form of a smooth function found in data: a cubic B-spline over one covariate, which may be multiplied
 /// by a second one (approach_Z_1: another curve in each direction, of opposite sign; t_s: growing with time).
 struct SmoothForm {
-  std::vector<std::string> covariates;  ///< one or two column names
-  double start = 0.0;                   ///< of the data, in the covariate's unit
-  double spacing = 1.0;                 ///< of the knots, above 0
-  std::size_t intervals = 1;            ///< between knots; the spline has 3 more coefficients
-  bool periodic = false;                ///< the end joins the start; as many coefficients as intervals
-  double centre = 0.0;                  ///< subtracted from the second covariate
-  std::optional<Bounds> second;         ///< range of the second covariate in the data
+  std::vector<std::string> covariates{};  ///< one or two column names
+  double start = 0.0;                     ///< of the data, in the covariate's unit
+  double spacing = 1.0;                   ///< of the knots, above 0
+  std::size_t intervals = 1;              ///< between knots; the spline has 3 more coefficients
+  bool periodic = false;                  ///< the end joins the start; as many coefficients as intervals
+  double centre = 0.0;                    ///< subtracted from the second covariate
+  std::optional<Bounds> second{};         ///< range of the second covariate in the data
 
   [[nodiscard]] std::size_t coefficientCount() const { return periodic ? intervals : intervals + 3; }
 };

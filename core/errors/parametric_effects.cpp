@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/errors/parameter_file.h"
+
 namespace nineline::errors {
 
 namespace {
@@ -15,17 +17,6 @@ const Parameter* findParameter(const std::vector<Parameter>& parameters, std::st
 Slot slotOf(const Placement& placement) {
   if (placement.component.location) return Slot::Located;
   return placement.fixed_frame ? Slot::Standing : Slot::Moved;
-}
-
-Json parametersToJson(const std::vector<Parameter>& parameters) {
-  Json all = Json::object();
-  for (const Parameter& parameter : parameters) {
-    Json one = Json::object();
-    one.set("value", parameter.value);
-    if (parameter.sigma) one.set("sigma", *parameter.sigma);
-    all.set(parameter.name, std::move(one.set("unit", parameter.unit)));
-  }
-  return all;
 }
 
 }  // namespace

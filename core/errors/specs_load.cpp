@@ -147,7 +147,11 @@ EffectSpec workpieceBending() {
 }
 
 EffectSpec clamping() {
-  ParameterSpec reference = place("q_ref", {0.0, 1.0}, 0.0);
+  const ParameterSpec reference{.name = "q_ref",
+                                .quantity = Quantity::Length,
+                                .role = Role::Given,
+                                .linear = both(-10000.0, 10000.0),
+                                .otherwise = 0.0};
   return {
       .id = "clamping",
       .title = "Distortion by a three-jaw chuck",
