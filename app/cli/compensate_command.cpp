@@ -27,6 +27,7 @@ struct CompensateOptions {
   std::string path;
   SetupOptions setup;
   std::string mode = "auto";
+  std::string turning = "auto";
   std::optional<double> tolerance_um;
   std::optional<double> angle_tolerance_arcsec;
   std::optional<double> limit_um;
@@ -47,6 +48,7 @@ CompensationOptions verbOptions(const CompensateOptions& options) {
   verb.keep_block_count = options.keep_block_count;
   verb.correct_rapids = !options.no_rapids;
   verb.mode = options.mode == "tip" ? Mode::TipOnly : options.mode == "thread" ? Mode::Thread : Mode::Auto;
+  if (options.turning == "alone") verb.turning = compensation::TurningFeed::Alone;
   verb.linear_decimals = options.decimals;
   verb.rotary_decimals = options.rotary_decimals;
   return verb;
@@ -102,6 +104,12 @@ void addVerbOptions(CLI::App& app, CompensateOptions& options) {
                  "with X and Z alone")
       ->check(CLI::IsMember({"auto", "tip", "thread"}))
       ->type_name("auto|tip|thread");
+  app.add_option(
+         "--turning", options.turning,
+         "Blocks that turn a rotary axis alone: linear words beside it where --dialect names a control "
+         "that keeps its speed, or never")
+      ->check(CLI::IsMember({"auto", "alone"}))
+      ->type_name("auto|alone");
   addInteger(app, "--decimals", {0, 9}, options.decimals,
              "Digits after the point of linear words; else as in the program");
   addInteger(app, "--rotary-decimals", {0, 9}, options.rotary_decimals, "The same for rotary words");
