@@ -77,10 +77,12 @@ def _sharper(e, value, b):
 
 BENDS = {  # effect: (the bent form, how strong at most)
     "thermal_screw": (_screw_profile, 0.25), "backlash": (_soft_reversal, 0.8), "lateral_play": (_soft_reversal, 0.8),
-    "angular_play": (_soft_reversal, 0.8), "cyclic": (_second_harmonic, 0.12), "periodic_tilt": (_second_harmonic, 0.12),
+    "angular_play": (_soft_reversal, 0.8), "cyclic": (_second_harmonic, 0.12),
+    "periodic_tilt": (_second_harmonic, 0.12),
     "eccentricity": (_second_harmonic, 0.1), "wobble": (_second_harmonic, 0.1), "axial_runout": (_second_harmonic, 0.1),
     "encoder_eccentricity": (_second_harmonic, 0.1), "scale": (_cubed, 0.06), "windup": (_cubed, 0.06),
-    "straightness": (_cubed, 0.1), "angular": (_cubed, 0.08), "wheel_wear": (_worn, 0.2), "servo_lag": (_by_speed, 0.08),
+    "straightness": (_cubed, 0.1), "angular": (_cubed, 0.08), "wheel_wear": (_worn, 0.2),
+    "servo_lag": (_by_speed, 0.08),
     "thermal_ambient": (_two_lags, 0.4), "thermal_head": (_two_lags, 0.4), "coolant": (_two_lags, 0.3),
     "load_deformation": (_stiffer, 0.12), "load_tilt": (_stiffer, 0.12), "lost_motion": (_stiffer, 0.12),
     "reversal_spike": (_sharper, 0.2)}

@@ -223,7 +223,8 @@ def truth_record(case):
         effects.append(one)
     return {"seed": case.seed, "category": case.category, "machine": case.machine.id, "hidden": effects,
             "separable": case.look is None, "lookalike_group": case.look.group if case.look else [],
-            "faults": case.faults, "artefact": case.artefact, "sigma": case.sigma, "noise": case.noise.text(), "table_noise": case.table_noise,
+            "faults": case.faults, "artefact": case.artefact, "sigma": case.sigma, "noise": case.noise.text(),
+            "table_noise": case.table_noise,
             "samples": int(sum(file.whole.n for file in case.files)), "location": case.location,
             "tables": [{"component": t.component, "start": t.start, "spacing": t.step, "values": t.values,
                         "interpolation": t.interpolation} for t in case.tables]}

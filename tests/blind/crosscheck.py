@@ -30,7 +30,8 @@ def _true_model(case, found):
         for key, name in (("value_um", text.get("component")), ("value_arcsec", text.get("component"))):
             if key in text:
                 text[key] = case.location[name]
-    model["effects"] += [{**one, "parameters": {k: {"value": v} for k, v in one["parameters"].items()}} for one in found]
+    model["effects"] += [{**one, "parameters": {name: {"value": value} for name, value in one["parameters"].items()}}
+                         for one in found]
     return model
 
 

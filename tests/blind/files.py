@@ -54,7 +54,8 @@ def _head(file, declared):
 def write_measurement(path, machine, file, declared, faults=None, gives_speed=True, temperature_step=0.05):
     """One CSV; `file.readings` holds the reading columns, `faults` what a broken sensor shows instead."""
     columns = [("run", file.whole.run_index, 0), ("t_s", file.whole.t, 6)]
-    columns += _joint_columns(machine, file, gives_speed) + _condition_columns(machine, file, faults or {}, temperature_step)
+    columns += _joint_columns(machine, file, gives_speed)
+    columns += _condition_columns(machine, file, faults or {}, temperature_step)
     columns += [(name, values, 6) for name, values in file.readings.items()]
     lines = _head(file, declared) + [",".join(name for name, _, _ in columns)]
     for i in range(file.whole.n):

@@ -18,6 +18,14 @@ def _matches(named, hidden):
                for same in hidden.get("equivalents", []))
 
 
+def _labels(named):
+    return [f"{one.get('effect')}@{one.get('joint')}" for one in named]
+
+
+def _file_of(note):
+    return pathlib.Path(str(note.get("file", ""))).name
+
+
 def pair_up(named, hidden):
     """[(hidden, named or None)] and the names that belong to nothing hidden."""
     left, pairs = list(named), []
@@ -85,9 +93,8 @@ def judge_names(truth, answer):
     sure_false = [name for name in false if name.get("confidence", 0) >= SURE_FROM]
     if not truth["separable"]:
         sure_false, sure_right = sure_false + sure_right, []
-    return {"names": [f"{one.get('effect')}@{one.get('joint')}" for one in named],
-            "missed": [f"{one['effect']}@{one['joint']}" for one, name in pairs if name is None],
-            "false_names": [f"{one.get('effect')}@{one.get('joint')}" for one in false],
+    return {"names": _labels(named), "missed": _labels(one for one, name in pairs if name is None),
+            "false_names": _labels(false),
             "named_right": sum(name is not None for _, name in pairs), "hidden": len(hidden),
             "exact_set": not false and all(name is not None for _, name in pairs),
             "sure_right": len(sure_right), "sure_false": len(sure_false), "parameter_errors": errors}
@@ -111,7 +118,7 @@ def finds_fault(fault, answer):
     first, last = fault["rows"]
     for note in answer.get("data_quality", []):
         rows = note.get("rows") or [1, 10**9]
-        same_file = pathlib.Path(str(note.get("file", ""))).name == fault["file"]
+        same_file = _file_of(note) == fault["file"]
         if same_file and rows[0] <= last and rows[-1] >= first:
             return True
     return False
@@ -120,15 +127,14 @@ def finds_fault(fault, answer):
 def judge_artefact(artefact, answer):
     """Whether the artefact has its name, or at least a note on its file; whatever else is named is false."""
     named = [one for one in named_effects(answer) if one.get("effect") == artefact["effect"]]
-    others = [f"{one.get('effect')}@{one.get('joint')}" for one in named_effects(answer)
-              if one.get("effect") != artefact["effect"]]
-    noted = any(pathlib.Path(str(note.get("file", ""))).name == artefact["file"] for note in answer.get("data_quality", []))
+    others = [one for one in named_effects(answer) if one.get("effect") != artefact["effect"]]
+    noted = any(_file_of(note) == artefact["file"] for note in answer.get("data_quality", []))
     return {"artefact": artefact["effect"], "artefact_named": bool(named), "artefact_noted": bool(named) or noted,
-            "false_names": others, "names": [f"{one.get('effect')}@{one.get('joint')}" for one in named_effects(answer)]}
+            "false_names": _labels(others), "names": _labels(named_effects(answer))}
 
 
 def points_at_joint(truth, answer):
-    """Whether `where` speaks of the position of a joint that a hidden effect belongs to; None where nothing is hidden."""
+    """Whether `where` speaks of the position of a joint with a hidden effect; None where nothing is hidden."""
     if not truth["hidden"]:
         return None
     variables = {condition.get("variable", "") for place in answer.get("where", [])

@@ -57,13 +57,15 @@ def _exact(one):
 
 def _name_rows(records):
     single, several, none = _of(records, "single"), _of(records, "pair", "triple"), _of(records, "null")
-    return [_share("single effect named right (effect and joint), 4σ and more", [_named_right(o) for o in single], 0.95),
+    return [_share("single effect named right (effect and joint), 4σ and more", [_named_right(o) for o in single],
+                   0.95),
             _plain_share("— and nothing false beside it", [_exact(o) for o in single]),
             _share("pairs and triples: the exact set", [_exact(o) for o in several], 0.80),
             _plain_share("— pairs", [_exact(o) for o in _of(records, "pair")]),
             _plain_share("— triples", [_exact(o) for o in _of(records, "triple")]),
             _plain_share("single of 1.2 to 3.5σ named right", [_named_right(o) for o in _of(records, "small")]),
-            _share("false names where nothing is missing", ["failed" in o or o["false_names"] for o in none], 0.02, False)]
+            _share("false names where nothing is missing", ["failed" in o or o["false_names"] for o in none], 0.02,
+                   at_least=False)]
 
 
 def _closing_rows(records):
@@ -98,7 +100,8 @@ def _honesty_rows(records):
     right = sum(o.get("sure_right", 0) for o in records)
     false = sum(o.get("sure_false", 0) for o in records)
     looks = _of(records, "lookalike")
-    return [_share("not separable: lists the look-alike instead of claiming", [o.get("lists_lookalike") for o in looks], 0.90),
+    listed = [o.get("lists_lookalike") for o in looks]
+    return [_share("not separable: lists the look-alike instead of claiming", listed, 0.90),
             _share("named with confidence 0.9 and more: right", [True] * right + [False] * false, 0.95)]
 
 
@@ -152,7 +155,8 @@ def _by_effect(records):
     for one in records:
         if "failed" in one or one["category"] not in NAMED + ("small", "null"):
             continue
-        for k, names in ((0, [o["effect"] for o in one["hidden_effects"]]), (1, one["missed"]), (2, one["false_names"])):
+        effects = [o["effect"] for o in one["hidden_effects"]]
+        for k, names in enumerate((effects, one["missed"], one["false_names"])):
             for name in names:
                 table.setdefault(name.split("@")[0], [0, 0, 0])[k] += 1
     return table
@@ -173,8 +177,9 @@ def _is_right(one):
 def _complaint(one):
     if "failed" in one:
         return f"- seed {one['seed']} ({one['category']}, {one['machine']}): {one['failed']}"
-    hidden = ", ".join(f"{o['effect']}{'/' + o['kind'] if 'kind' in o else ''}@{o['joint']} {o['component']} "
-                       f"{o['amplitude_sigma']:.1f}σ" for o in one["hidden_effects"]) or one.get("artefact") or one.get("fault") or "nothing"
-    closed = one.get("closed_pct")
-    return (f"- seed {one['seed']} ({one['category']}, {one['machine']}): hidden {hidden}; verdict {one['verdict']}, named "
-            f"{', '.join(one['names']) or 'nothing'}; closed {'–' if closed is None else f'{closed:.1f} %'}")
+    parts = [f"{o['effect']}{'/' + o['kind'] if 'kind' in o else ''}@{o['joint']} {o['component']} "
+             f"{o['amplitude_sigma']:.1f}σ" for o in one["hidden_effects"]]
+    hidden = ", ".join(parts) or one.get("artefact") or one.get("fault") or "nothing"
+    names, closed = ", ".join(one["names"]) or "nothing", one.get("closed_pct")
+    return (f"- seed {one['seed']} ({one['category']}, {one['machine']}): hidden {hidden}; verdict {one['verdict']}, "
+            f"named {names}; closed {'–' if closed is None else f'{closed:.1f} %'}")

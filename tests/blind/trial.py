@@ -91,8 +91,8 @@ def _progress(one):
     if "verdict" not in one:
         return head
     closed = one.get("closed_pct")
-    return (f"{head}: {one['verdict']}; named {one['names']}, missed {one['missed']}, false {one['false_names']}; closed "
-            f"{'-' if closed is None else round(closed, 1)} %; {one['seconds']:.1f} s")
+    return (f"{head}: {one['verdict']}; named {one['names']}, missed {one['missed']}, false {one['false_names']}; "
+            f"closed {'-' if closed is None else round(closed, 1)} %; {one['seconds']:.1f} s")
 
 
 def _shares(records):
@@ -103,7 +103,8 @@ def _shares(records):
     return {"failed": share(["failed" in one for one in records]),
             "named": share([one["named_right"] == one["hidden"] for one in alive if one["category"] == "single"]),
             "false": share([bool(one["false_names"]) for one in alive if one["category"] in ("null", "single")]),
-            "unknown": share([one["verdict"] in ("unknown", "partly") for one in alive if one["category"] == "unknown"])}
+            "unknown": share([one["verdict"] in ("unknown", "partly")
+                              for one in alive if one["category"] == "unknown"])}
 
 
 def falls_short(records, required):
@@ -112,8 +113,8 @@ def falls_short(records, required):
     for item in required.split(","):
         name, limit = item.split("=")
         value = shares[name]
-        is_met = value is not None and (value >= float(limit) if name in ("named", "unknown") else value <= float(limit))
-        if not is_met:
+        sense = 1.0 if name in ("named", "unknown") else -1.0
+        if value is None or sense * value < sense * float(limit):
             complaints.append(f"{name}: {value} against the required {limit}")
     return complaints
 
