@@ -15,17 +15,17 @@ using Screws = std::array<Screw, kMaxAxes>;
 
 void advance(Frame& frame, const Joint& joint, double q, const JointDisplacement* displacement,
              RotationModel model, Screw* screw) {
-  if (!joint.offset.isZero(0.0)) frame.translate(joint.offset);
+  if (!isNothing(joint.offset)) frame.translate(joint.offset);
   if (displacement != nullptr) {
-    if (!displacement->located.isZero()) frame.applyLocated(displacement->located, model);
-    if (!displacement->standing.isZero()) frame.apply(displacement->standing, model);
+    if (!isNothing(displacement->located)) frame.applyLocated(displacement->located, model);
+    if (!isNothing(displacement->standing)) frame.apply(displacement->standing, model);
   }
   if (screw != nullptr) *screw = {frame.times(joint.direction), frame.position()};
   frame.move(joint, q);
-  if (displacement != nullptr && !displacement->moved.isZero()) frame.apply(displacement->moved, model);
+  if (displacement != nullptr && !isNothing(displacement->moved)) frame.apply(displacement->moved, model);
 }
 
-void fillJacobian(const Machine& machine, const Screws& screws, const Vector3d& tip, const Frame& toWorkpiece,
+void fillJacobian(const Machine& machine, const Screws& screws, const Vector3d& tip, const Frame& workpiece,
                   PoseJacobian& jacobian) {
   jacobian.resize(6, machine.jointCount());
   for (int i = 0; i < machine.jointCount(); ++i) {
@@ -33,12 +33,12 @@ void fillJacobian(const Machine& machine, const Screws& screws, const Vector3d& 
     const double sign = machine.side(i) == Side::Workpiece ? -1.0 : 1.0;
     double* const column = jacobian.data() + 6 * i;
     const bool rotary = machine.isRotary(i);
-    const Vector3d direction = sign * toWorkpiece.times(screw.direction);
+    const Vector3d direction = workpiece.transposedTimes(screw.direction);
     const Vector3d velocity =
-        rotary ? Vector3d(sign * toWorkpiece.times(screw.direction.cross(tip - screw.point))) : direction;
+        rotary ? workpiece.transposedTimes(Vector3d(screw.direction.cross(tip - screw.point))) : direction;
     for (int row = 0; row < 3; ++row) {
-      column[row] = velocity[row];
-      column[3 + row] = rotary ? direction[row] : 0.0;
+      column[row] = sign * velocity[row];
+      column[3 + row] = rotary ? sign * direction[row] : 0.0;
     }
   }
 }
@@ -48,21 +48,24 @@ ToolPose evaluate(const Machine& machine, const JointPositions& q, const JointDi
   Screws screws;
   Frame workpiece;
   Frame tool;
+  const int workpiece_joints = machine.workpieceJointCount();
   for (int i = 0; i < machine.jointCount(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    Frame& frame = machine.side(i) == Side::Workpiece ? workpiece : tool;
-    advance(frame, machine.joint(i), q[k], displacements != nullptr ? &(*displacements)[k] : nullptr, model,
+    advance(i < workpiece_joints ? workpiece : tool, machine.joint(i), q[k],
+            displacements != nullptr ? &(*displacements)[k] : nullptr, model,
             jacobian != nullptr ? &screws[k] : nullptr);
   }
+  const bool skewed = model == RotationModel::FirstOrder && displacements != nullptr;
+  if (skewed) workpiece.invertSkewed();
   const Vector3d tip = tool.at(machine.toolTip());
-  Frame toWorkpiece =
-      workpiece.inverseRotation(model == RotationModel::FirstOrder && displacements != nullptr);
   ToolPose pose;
-  pose.tip = toWorkpiece.times(tip - workpiece.position());
-  if (jacobian != nullptr) fillJacobian(machine, screws, tip, toWorkpiece, *jacobian);
-  toWorkpiece.multiply(tool.rotation());
-  pose.R_WP = toWorkpiece.rotation();
-  pose.axis = toWorkpiece.times(machine.toolAxis()).normalized();
+  pose.tip = workpiece.transposedTimes(Vector3d(tip - workpiece.position()));
+  pose.R_WP = workpiece.transposedTimes(tool);
+  const Vector3d& axis = machine.toolAxis();
+  for (int i = 0; i < 3; ++i)
+    pose.axis[i] = pose.R_WP(i, 0) * axis[0] + pose.R_WP(i, 1) * axis[1] + pose.R_WP(i, 2) * axis[2];
+  if (skewed) pose.axis.normalize();
+  if (jacobian != nullptr) fillJacobian(machine, screws, tip, workpiece, *jacobian);
   return pose;
 }
 
@@ -108,7 +111,6 @@ void addSlopes(const Machine& machine, const JointPositions& q, const JointDispl
     moved[k].move(joint, q[k]);
   }
   const Vector3d tip = tool.at(machine.toolTip());
-  const Frame toWorkpiece = workpiece.inverseRotation(false);
   for (int i = 0; i < machine.jointCount(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double sign = machine.side(i) == Side::Workpiece ? -1.0 : 1.0;
@@ -117,8 +119,8 @@ void addSlopes(const Machine& machine, const JointPositions& q, const JointDispl
       const Vector3d turning = frame.times(leftJacobian(motion.rotation) * slope.rotation);
       const Vector3d arm = tip - frame.at(motion.translation);
       const Vector3d velocity = frame.times(slope.translation) + turning.cross(arm);
-      jacobian.col(i).head<3>() += sign * toWorkpiece.times(velocity);
-      jacobian.col(i).tail<3>() += sign * toWorkpiece.times(turning);
+      jacobian.col(i).head<3>() += sign * workpiece.transposedTimes(velocity);
+      jacobian.col(i).tail<3>() += sign * workpiece.transposedTimes(turning);
     };
     add(standing[k], displacements[k].standing, slopes[k].standing);
     add(moved[k], displacements[k].moved, slopes[k].moved);

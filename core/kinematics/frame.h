@@ -15,6 +15,11 @@ inline int principalAxis(const Vector3d& direction) {
   return direction[1] == 0.0 && direction[2] == 0.0 ? 0 : -1;
 }
 
+inline bool isNothing(const Vector3d& v) { return v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0; }
+inline bool isNothing(const SmallMotion& motion) {
+  return isNothing(motion.translation) && isNothing(motion.rotation);
+}
+
 /// A pose under construction, rotation and translation. Columns are kept four long, the last coefficient
 /// unused, so that they fill vector registers; a rotation that is still the identity costs nothing.
 class Frame {
@@ -68,7 +73,7 @@ class Frame {
   }
 
   void rotate(const Vector3d& w, RotationModel model) {
-    if (w.isZero(0.0)) return;
+    if (isNothing(w)) return;
     multiply(model == RotationModel::Exact ? exponential(w) : Matrix3d(Matrix3d::Identity() + skew(w)));
   }
 
@@ -92,13 +97,27 @@ class Frame {
     turn(joint.direction, q);
   }
 
-  /// The inverse rotation without a translation; `skewed`: the matrix is not quite a rotation.
-  [[nodiscard]] Frame inverseRotation(bool skewed) const {
-    Frame inverse;
-    if (!turned_) return inverse;
-    const Matrix3d R = rotation();
-    inverse.multiply(skewed ? Matrix3d(R.inverse()) : Matrix3d(R.transpose()));
-    return inverse;
+  /// Rᵀ v, the inverse rotation.
+  [[nodiscard]] Vector3d transposedTimes(const Vector3d& v) const {
+    if (!turned_) return v;
+    const auto dot = [&v](const Column& c) { return c[0] * v[0] + c[1] * v[1] + c[2] * v[2]; };
+    return {dot(columns_[0]), dot(columns_[1]), dot(columns_[2])};
+  }
+  [[nodiscard]] Matrix3d transposedTimes(const Frame& other) const {
+    Matrix3d product;
+    for (int k = 0; k < 3; ++k) {
+      const Column& c = other.columns_[k];
+      const Vector3d column = transposedTimes(Vector3d(c[0], c[1], c[2]));
+      for (int i = 0; i < 3; ++i) product(i, k) = column[i];
+    }
+    return product;
+  }
+  /// Replaces the rotation by the transposed inverse, so that `transposedTimes` undoes it: for matrices that
+  /// are not quite rotations.
+  void invertSkewed() {
+    if (!turned_) return;
+    const Matrix3d inverse = rotation().inverse().transpose();
+    for (int k = 0; k < 3; ++k) columns_[k].head<3>() = inverse.col(k);
   }
 
  private:

@@ -27,10 +27,14 @@ Coefficients coefficients(double t2) {
 /// I·k0 + k1 [w]× + k2 [w]×², written out.
 Matrix3d polynomial(const Vector3d& w, double k1, double k2) {
   const double x = w.x(), y = w.y(), z = w.z();
+  const double xy = k2 * x * y, xz = k2 * x * z, yz = k2 * y * z;
+  const double xx = k2 * x * x, yy = k2 * y * y, zz = k2 * z * z;
+  const double sx = k1 * x, sy = k1 * y, sz = k1 * z;
   Matrix3d m;
-  m << 1.0 - k2 * (y * y + z * z), k2 * x * y - k1 * z, k2 * x * z + k1 * y,  //
-      k2 * x * y + k1 * z, 1.0 - k2 * (x * x + z * z), k2 * y * z - k1 * x,   //
-      k2 * x * z - k1 * y, k2 * y * z + k1 * x, 1.0 - k2 * (x * x + y * y);
+  double* const c = m.data();  // column by column
+  c[0] = 1.0 - (yy + zz), c[1] = xy + sz, c[2] = xz - sy;
+  c[3] = xy - sz, c[4] = 1.0 - (xx + zz), c[5] = yz + sx;
+  c[6] = xz + sy, c[7] = yz - sx, c[8] = 1.0 - (xx + yy);
   return m;
 }
 }  // namespace
@@ -56,8 +60,13 @@ Vector3d logarithm(const Matrix3d& R) {
   const Eigen::Quaterniond turn(R);
   const double cosine = std::abs(turn.w());
   const Vector3d v = turn.w() < 0.0 ? Vector3d(-turn.vec()) : Vector3d(turn.vec());
-  const double sine = v.norm();
-  if (sine < 1e-150) return Vector3d::Zero();
+  const double squared = v.squaredNorm();
+  // atan(t)/t = 1 − t²/3 + t⁴/5 − t⁶/7: exact to a double's last digit below.
+  if (squared < kSeriesBelow * cosine * cosine) {
+    const double t2 = squared / (cosine * cosine);
+    return v * (2.0 / cosine * (1.0 - t2 * (1.0 / 3.0 - t2 * (1.0 / 5.0 - t2 * (1.0 / 7.0)))));
+  }
+  const double sine = std::sqrt(squared);
   return v * (2.0 * std::atan2(sine, cosine) / sine);
 }
 
