@@ -30,21 +30,40 @@ int tipComponent(const AxisId& axis) {
   return axis.digit == 0 && axis.letter >= 'X' && axis.letter <= 'Z' ? axis.letter - 'X' : -1;
 }
 
-double rotaryRadius(const Machine& machine, const JointPositions& q, int joint) {
-  kinematics::PoseJacobian jacobian;
-  static_cast<void>(forwardWithJacobian(machine, q, jacobian));
-  return jacobian.col(joint).head<3>().norm();
+/// No joint carries the tip further from its axis than all lengths of the chains and linear positions
+/// together.
+double reachAt(const Machine& machine, const JointPositions& q) {
+  double reach = machine.toolTip().lpNorm<1>();
+  for (int i = 0; i < machine.jointCount(); ++i) {
+    reach += machine.joint(i).offset.lpNorm<1>();
+    if (!machine.isRotary(i)) reach += std::abs(q[static_cast<std::size_t>(i)]);
+  }
+  return reach;
 }
 
 /// Samples that the turning of rotary joints asks for: a chord over dφ at radius r leaves the arc by r dφ²/8.
+/// Where the longest radius that there could be asks for one sample at most, that is the answer.
 double rotarySamples(const Machine& machine, const JointPositions& start, const JointPositions& end,
                      double chord) {
+  double turned = 0.0;
+  for (int i = 0; i < machine.jointCount(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (machine.isRotary(i)) turned += std::abs(end[k] - start[k]);
+  }
+  if (turned == 0.0) return 0.0;
+  const double reach = std::max(reachAt(machine, start), reachAt(machine, end));
+  const double most = turned * std::sqrt(reach / (8.0 * chord));
+  if (most <= 1.0) return most;
+  kinematics::PoseJacobian at_start;
+  kinematics::PoseJacobian at_end;
+  static_cast<void>(forwardWithJacobian(machine, start, at_start));
+  static_cast<void>(forwardWithJacobian(machine, end, at_end));
   double samples = 0.0;
   for (int i = 0; i < machine.jointCount(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double turn = std::abs(end[k] - start[k]);
     if (!machine.isRotary(i) || turn < kStandstill) continue;
-    const double radius = std::max(rotaryRadius(machine, start, i), rotaryRadius(machine, end, i));
+    const double radius = std::max(at_start.col(i).head<3>().norm(), at_end.col(i).head<3>().norm());
     samples += turn * std::sqrt(radius / (8.0 * chord));
   }
   return samples;
