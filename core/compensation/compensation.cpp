@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/compensation/program_corrector.h"
 #include "core/compensation/verification.h"
+#include "core/errors/effect_spec.h"
 
 namespace nineline::compensation {
 
@@ -73,17 +74,37 @@ void warnRemains(CompensationReport& report, const CompensationOptions& options)
   }
 }
 
+/// Effects that the check counts and the correction leaves alone.
+bool isLeftAlone(const errors::Effect& effect) {
+  const errors::EffectSpec* spec = errors::findEffectSpec(effect.id());
+  return spec != nullptr && !spec->isCorrectable();
+}
+
+void warnLeftAlone(const ErrorModel& model, CompensationReport& report) {
+  for (const errors::EffectPtr& effect : model.effects()) {
+    if (!isLeftAlone(*effect)) continue;
+    report.diagnostics.warning(
+        "compensation.left_alone",
+        fmt::format(
+            "The effect '{}' of {} follows the speed, the time or a reversal; no change of the program "
+            "removes it.",
+            effect->id(), effect->component().text()));
+  }
+}
+
 }  // namespace
 
 Result<CompensationReport> compensateProgram(
-    const ErrorModel& model, nc::TextSource& program, const ProgramSetup& setup,
+    const ErrorModel& whole, nc::TextSource& program, const ProgramSetup& setup,
     const CompensationOptions& options, const TextSink& sink,
     const std::function<Result<std::unique_ptr<nc::TextSource>>()>& corrected_text, Progress& progress,
     const ComparisonSink& compared) {
+  const ErrorModel model = whole.onlyActive();
+  const ErrorModel correctable = model.without(&isLeftAlone);
   if (Result<void> fine = checkOptions(model, options); !fine) return fine.error();
   if (Result<void> known = simulation::requireConditions(model, setup); !known) return known.error();
   const auto begin = std::chrono::steady_clock::now();
-  ProgramCorrector corrector(model, setup, options, program, sink);
+  ProgramCorrector corrector(correctable, setup, options, program, sink);
   if (Result<void> done = corrector.run(progress); !done) return done.error();
   CompensationReport report = corrector.takeReport();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -110,6 +131,7 @@ Result<CompensationReport> compensateProgram(
   if (Result<void> fine = checkOutcome(report, options, program.name(), worst_line); !fine)
     return fine.error();
   warnRemains(report, options);
+  warnLeftAlone(model, report);
   return report;
 }
 

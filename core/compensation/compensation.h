@@ -62,7 +62,8 @@ using ComparisonSink =
 /// read again by the interpreter and simulated apart from the solver; `before` and `after` are those figures.
 /// `corrected_text` opens what the sink received, for that check. Fails with the block's line when a
 /// correction is beyond its limit, a corrected command outside the travel, a point has no solution, or a
-/// block cannot be rewritten.
+/// block cannot be rewritten. Effects that are not active take no part; those that no program removes (a
+/// servo lag, a vibration) count in the check and are named in a warning.
 [[nodiscard]] Result<CompensationReport> compensateProgram(
     const ErrorModel& model, nc::TextSource& program, const ProgramSetup& setup,
     const CompensationOptions& options, const TextSink& sink,

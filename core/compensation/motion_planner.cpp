@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/units.h"
 #include "core/simulation/command_path.h"
@@ -45,6 +46,7 @@ MotionPlanner::MotionPlanner(const ErrorModel& model, const ProgramSetup& setup,
                              const CompensationOptions& options)
     : model_(model), machine_(model.machine()), options_(options), solver_(model, options) {
   solver_.conditions() = setup.state;
+  turned_.fill(std::numeric_limits<double>::infinity());
   for (int i = 0; i < machine_.jointCount(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (model_.play(i) == 0.0) continue;
@@ -82,10 +84,21 @@ void MotionPlanner::updateSenses(const Motion& motion, double from, double to) {
   const Result<JointPositions> qa = jointsOf(machine_, a, motion.tool_centre_point);
   const Result<JointPositions> qb = jointsOf(machine_, b, motion.tool_centre_point);
   if (!qa || !qb) return;
+  turned_ = travelSinceReversal(*qa);
+  section_ = *qa;
   for (std::size_t k = 0; k < senses_.size(); ++k) {
     const double travel = (*qb)[k] - (*qa)[k];
-    if (std::abs(travel) > kStandstill) senses_[k] = travel > 0.0 ? 1 : -1;
+    if (std::abs(travel) <= kStandstill) continue;
+    const std::int8_t sense = travel > 0.0 ? 1 : -1;
+    if (sense == -senses_[k]) turned_[k] = 0.0;
+    senses_[k] = sense;
   }
+}
+
+JointPositions MotionPlanner::travelSinceReversal(const JointPositions& ideal) const {
+  JointPositions travel = turned_;
+  for (std::size_t k = 0; k < travel.size(); ++k) travel[k] += std::abs(ideal[k] - section_[k]);
+  return travel;
 }
 
 /// d z / d φ of the ideal tool point about the work spindle, by central differences of the exact chain.
@@ -118,6 +131,7 @@ Result<MotionPlanner::Node> MotionPlanner::solveAt(const Motion& motion, double 
   for (std::size_t k = 0; k < guess.size(); ++k) {
     if (((free_ | scope_.held) >> k & 1U) != 0) guess[k] += correction_[k];
   }
+  solver_.conditions().since_reversal = travelSinceReversal(node.ideal);
   Result<JointPositions> corrected =
       solver_.solve({node.ideal, senses_, free_, advanceAt(motion, fraction)}, guess);
   if (!corrected) return corrected.error();

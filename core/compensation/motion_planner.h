@@ -62,6 +62,7 @@ class MotionPlanner {
   [[nodiscard]] Result<void> checkLimits(const Node& node, const nc::Motion& motion) const;
   [[nodiscard]] std::optional<double> advanceAt(const nc::Motion& motion, double fraction) const;
   void updateSenses(const nc::Motion& motion, double from, double to);
+  [[nodiscard]] JointPositions travelSinceReversal(const JointPositions& ideal) const;
   [[nodiscard]] bool isFree(std::size_t joint) const { return (free_ >> joint & 1U) != 0; }
   [[nodiscard]] double offsetOf(std::size_t joint) const { return 0.5 * now_[joint] * play_[joint]; }
 
@@ -93,6 +94,8 @@ class MotionPlanner {
   JointPositions largest_{};
   Senses senses_{};            // in which the ideal motion moves the joints
   Senses now_{};               // in which the corrected commands moved last; 0: not yet
+  JointPositions turned_{};    // travel since the last reversal at the start of the section
+  JointPositions section_{};   // ideal positions there
   JointPositions stands_{};    // where the joints have to stand at the end of the last piece
   JointPositions followed_{};  // of that, what makes up for the rounding of rotary words
   JointPositions held_{};      // the commands there, before rounding

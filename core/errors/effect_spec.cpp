@@ -34,6 +34,11 @@ const ParameterSpec* EffectSpec::find(std::string_view name) const {
 
 bool EffectSpec::isActiveByDefault() const { return kind == EffectKind::Machine && id != "nonparametric"; }
 
+bool EffectSpec::isCorrectable() const {
+  const bool by_motion = (covariates & (kVelocity | kAcceleration)) != 0;
+  return kind != EffectKind::Measurement && id != "vibration" && id != "reversal_spike" && !by_motion;
+}
+
 const std::vector<EffectSpec>& effectCatalogue() {
   static const std::vector<EffectSpec> kAll = allSpecs();
   return kAll;

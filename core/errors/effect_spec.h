@@ -133,6 +133,9 @@ struct EffectSpec {
   [[nodiscard]] const ParameterSpec* find(std::string_view name) const;
   /// Whether compensation counts with it unless the user says otherwise.
   [[nodiscard]] bool isActiveByDefault() const;
+  /// Whether other commands can remove it: not what follows the speed, the acceleration or an instant of
+  /// time, nor a spike at a reversal.
+  [[nodiscard]] bool isCorrectable() const;
 };
 
 /// Every effect of contract.md's table, in its order.

@@ -46,8 +46,12 @@ ErrorModel ErrorModel::withRotationModel(RotationModel form) const {
 }
 
 ErrorModel ErrorModel::onlyActive() const {
+  return without([](const Effect& effect) { return !effect.isActive(); });
+}
+
+ErrorModel ErrorModel::without(const std::function<bool(const Effect&)>& leave_out) const {
   ErrorModel model = *this;
-  std::erase_if(model.effects_, [](const EffectPtr& effect) { return !effect->isActive(); });
+  std::erase_if(model.effects_, [&](const EffectPtr& effect) { return leave_out(*effect); });
   model.references_.clear();
   NL_EXPECTS(model.collectReferences().has_value());  // they agreed in the whole model
   model.prepare();

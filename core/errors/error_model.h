@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,6 +35,8 @@ class ErrorModel {
   [[nodiscard]] const std::vector<EffectPtr>& effects() const { return effects_; }
   /// The model that compensation inverts: without the effects that are not active.
   [[nodiscard]] ErrorModel onlyActive() const;
+  /// The model without the effects for which `leave_out` is true.
+  [[nodiscard]] ErrorModel without(const std::function<bool(const Effect&)>& leave_out) const;
 
   /// Displacement of every joint at a state; `memory` empty for a single instant.
   void displacements(const MachineState& state, std::span<const double> memory,

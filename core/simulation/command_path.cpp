@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/units.h"
 #include "core/kinematics/inverse.h"
@@ -210,10 +211,22 @@ void sampleFractions(const ErrorModel& model, const nc::Motion& motion, const Jo
   fractions.back() = 1.0;
 }
 
+namespace {
+
+/// A program begins in equilibrium: no reversal before it counts.
+constexpr JointPositions kNeverReversed = [] {
+  JointPositions all{};
+  all.fill(std::numeric_limits<double>::infinity());
+  return all;
+}();
+
+}  // namespace
+
 PathState::PathState(const ErrorModel& model, MachineState conditions, const JointPositions& start)
     : model_(&model), state_(std::move(conditions)) {
   state_.q = start;
-  state_.time = 0.0;
+  start_time_ = state_.time.value_or(0.0);
+  state_.time = start_time_;
   before_ = state_;
   memory_ = model.startMemory(state_);
 }
@@ -221,15 +234,17 @@ PathState::PathState(const ErrorModel& model, MachineState conditions, const Joi
 void PathState::moveTo(const JointPositions& q, double duration) {
   before_.q = state_.q;
   before_.approach = state_.approach;
+  before_.time = state_.time;
   JointPositions velocity{};
-  JointPositions since = state_.since_reversal.value_or(JointPositions{});
+  JointPositions since = state_.since_reversal.value_or(kNeverReversed);
   for (int i = 0; i < model_->machine().jointCount(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double travel = q[k] - state_.q[k];
     velocity[k] = duration > 0.0 ? travel / duration : 0.0;
     if (std::abs(travel) <= kStandstill) continue;
     const auto sense = static_cast<std::int8_t>(travel > 0.0 ? 1 : -1);
-    since[k] = sense == state_.approach[k] ? since[k] + std::abs(travel) : std::abs(travel);
+    const bool reverses = sense == -state_.approach[k];
+    since[k] = reverses ? std::abs(travel) : since[k] + std::abs(travel);
     state_.approach[k] = sense;
   }
   state_.q = q;

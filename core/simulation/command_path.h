@@ -56,12 +56,15 @@ class PathState {
   /// Moves the commands to q, every joint in one sense.
   void moveTo(const JointPositions& q, double duration);
   [[nodiscard]] const MachineState& state() const { return state_; }
+  /// Seconds since the start; the state's own time goes on from the one that its conditions name.
+  [[nodiscard]] double elapsed() const { return *state_.time - start_time_; }
   [[nodiscard]] kinematics::ToolPose actualPose() const { return model_->actualPose(state_, memory_); }
 
  private:
   const ErrorModel* model_;
   MachineState state_;
   MachineState before_;
+  double start_time_ = 0.0;
   errors::EffectMemory memory_;
 };
 

@@ -98,7 +98,7 @@ class ProgramRun {
     sample_.rapid = motion.kind == nc::MotionKind::Rapid;
     sample_.block_end = block_end;
     sample_.q = path_.state().q;
-    sample_.t = *path_.state().time;
+    sample_.t = path_.elapsed();
     evaluate();
     const double step = (sample_.ideal.tip - before).norm();
     sample_.s += step;
