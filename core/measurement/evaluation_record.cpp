@@ -59,6 +59,10 @@ Result<void> addCircle(std::span<const EvaluationInput> inputs, Evaluation& eval
     return error;
   }
   evaluation.iso_230_4 = *figures;
+  if (const Result<BallbarShares> shares = ballbarShares(*test, evaluation.axis[0], evaluation.axis[1]);
+      shares) {
+    evaluation.ballbar = *shares;
+  }
   if (!figures->is_full_circle) {
     evaluation.warnings.warning("evaluation.arc",
                                 "The path is no full circle: F refers to the centre as set up.");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/json.h"
+#include "core/measurement/evaluation_ballbar.h"
 #include "core/measurement/evaluation_grouping.h"
 #include "core/measurement/iso_230_2.h"
 #include "core/measurement/iso_230_4.h"
@@ -25,6 +26,7 @@ struct Evaluation {
   std::optional<Iso2302> iso_230_2;
   std::optional<Vdi3441> vdi_3441;
   std::optional<Iso2304> iso_230_4;
+  std::optional<BallbarShares> ballbar;  ///< absent where the path cannot tell its errors apart
   std::optional<RunOut> run_out;
   Diagnostics warnings;
 };
@@ -35,8 +37,8 @@ struct Evaluation {
 /// fits.
 [[nodiscard]] Result<std::vector<Evaluation>> evaluateMeasurements(std::span<const EvaluationInput> inputs);
 
-/// contract.md, convention 10: `iso_230_2`, `iso_230_4`, `vdi_3441`, `run_out` of the first test that has
-/// them, and `tests`, each with its files and figures. Figures that a test does not give are null.
+/// contract.md, convention 10: `iso_230_2`, `iso_230_4`, `vdi_3441`, `ballbar`, `run_out` of the first test
+/// that has them, and `tests`, each with its files and figures. Figures that a test does not give are null.
 [[nodiscard]] Json evaluationsToJson(const std::vector<Evaluation>& evaluations);
 
 /// The same as a table for people.

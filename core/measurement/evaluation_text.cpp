@@ -95,6 +95,40 @@ Json circleJson(const Iso2304& figures) {
   return json.set("full_circle", figures.is_full_circle);
 }
 
+/// Squareness is an angle, scale mismatch a ratio; all others are lengths.
+struct ShareUnit {
+  const char* unit;
+  double value, sigma;
+};
+ShareUnit shownShare(const BallbarShare& share) {
+  if (share.name == "squareness") return {"arcsec", arcsecFromRad(share.value), arcsecFromRad(share.sigma)};
+  if (share.name == "scale mismatch") return {"um/m", 1e6 * share.value, 1e6 * share.sigma};
+  return {"um", umFromMm(share.value), umFromMm(share.sigma)};
+}
+
+Json ballbarJson(const BallbarShares& shares) {
+  Json list = Json::array();
+  for (const BallbarShare& share : shares.shares) {
+    const ShareUnit shown = shownShare(share);
+    Json one = Json::object();
+    one.set("error", share.name).set("value", shown.value).set("sigma", shown.sigma).set("unit", shown.unit);
+    list.push(one.set("range_um", umFromMm(share.radial)));
+  }
+  Json json = Json::object();
+  json.set("errors", std::move(list)).set("residual_rms_um", umFromMm(shares.residual_rms));
+  return json.set("residual_range_um", umFromMm(shares.residual_range));
+}
+
+std::string ballbarText(const BallbarShares& shares) {
+  std::string text;
+  for (const BallbarShare& share : shares.shares) {
+    const ShareUnit shown = shownShare(share);
+    text += fmt::format("    {:<36}{:9.2f} ± {:.2f} {}, on the circle {:.2f} um\n", share.name, shown.value,
+                        2.0 * shown.sigma, shown.unit, umFromMm(share.radial));
+  }
+  return text + fmt::format("    {:<36}{:9.2f} um rms\n", "unexplained", umFromMm(shares.residual_rms));
+}
+
 Json runOutJson(const RunOut& figures) {
   const auto harmonic = [](const TurnHarmonic& one) {
     Json json = Json::object();
@@ -120,6 +154,7 @@ void addFigures(const Evaluation& evaluation, Json& json) {
   add("iso_230_2", evaluation.iso_230_2.has_value(), [&] { return positioningJson(evaluation); });
   add("vdi_3441", evaluation.vdi_3441.has_value(), [&] { return vdiJson(evaluation); });
   add("iso_230_4", evaluation.iso_230_4.has_value(), [&] { return circleJson(*evaluation.iso_230_4); });
+  add("ballbar", evaluation.ballbar.has_value(), [&] { return ballbarJson(*evaluation.ballbar); });
   add("run_out", evaluation.run_out.has_value(), [&] { return runOutJson(*evaluation.run_out); });
 }
 
@@ -202,6 +237,7 @@ std::string evaluationText(const Evaluation& evaluation) {
   text += fmt::format(": {} {}\n", evaluation.instrument, evaluation.axis);
   if (evaluation.iso_230_2) text += positioningText(evaluation);
   if (evaluation.iso_230_4) text += circleText(*evaluation.iso_230_4);
+  if (evaluation.ballbar) text += ballbarText(*evaluation.ballbar);
   if (evaluation.run_out) text += runOutText(*evaluation.run_out);
   return text;
 }
