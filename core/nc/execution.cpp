@@ -141,8 +141,24 @@ bool executeMotions(Execution& e) {
   return w.axes == 0 && !centre ? true : executeMotion(e);
 }
 
+/// LinuxCNC's G4 takes P alone: axis words beside it move, after the dwell. Elsewhere X, U, F and S state the
+/// time, so that a motion code beside them leaves open what they mean.
+bool settleDwell(Execution& e) {
+  BlockWords& w = e.words;
+  if (e.dialect != Dialect::LinuxCnc) {
+    const bool open = w.axes != 0 && w.motion_action != CodeAction::Unknown;
+    return !open ||
+           failAt(e, code::kCodeConflict, 'G', "G04 and a motion code in one block both want its words");
+  }
+  w.non_modal = CodeAction::Unknown;
+  const bool wants_p =
+      w.axes != 0 && (e.modal.motion > 1 || e.modal.cycle != 0 || w.motion_action == CodeAction::Cycle);
+  return !wants_p || failAt(e, code::kCodeConflict, 'P', "G4 and the motion of this block both want P");
+}
+
 bool executeWords(Execution& e) {
   BlockWords& w = e.words;
+  if (w.non_modal == CodeAction::Dwell && !settleDwell(e)) return false;
   if (w.letters != 0) {
     if (w.non_modal != CodeAction::Dwell && w.non_modal != CodeAction::MacroCall &&
         (w.letters & kAxisLetters) != 0) {

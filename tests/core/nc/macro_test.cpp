@@ -124,6 +124,15 @@ TEST(Flow, SiemensLoopsNest) {
             (std::vector<double>{11, 12, 21, 22}));
 }
 
+TEST(Words, AxisWordsBesideALinuxCncDwellMove) {
+  const ProgramRun run = runLinuxCnc("G21 G90 G94\nG4 P.001 G0 X1 Y2 S1000 M3\nG4 P1\nG4 P.5 X3\n");
+  EXPECT_EQ(run.error, "");
+  EXPECT_EQ(xOf(run), (std::vector<double>{1, 3}));
+  EXPECT_NE(runLinuxCnc("G21 G90 G94 F9\nG4 P2 G2 X2 I1\n").error, "");
+  EXPECT_TRUE(runFanuc("G90 G0 X5.\nG04 X2.\n").motions.size() == 1);
+  EXPECT_EQ(runFanuc("G90 G0 X5.\nG04 G01 X2.\n").line, 2U);
+}
+
 TEST(Words, AThreadMayHaveALeadOfE) { EXPECT_EQ(runFanuc("G90 G99 G32 Z-10.E1.5 F1.5\n").error, ""); }
 
 }  // namespace
