@@ -88,34 +88,59 @@ Dictionary::Dictionary(const NoiseModel& model, const Noise& noise, const FixedP
   target_fixed_ = fixed_.transpose() * target_;
   fixed_factor_.triangularView<Eigen::Lower>().solveInPlace(target_fixed_);
   target_square_ = target_.squaredNorm() - target_fixed_.squaredNorm();
+  appendAll();
+}
+
+void Dictionary::makeRoom(Index columns) {
+  if (columns <= white_.cols()) return;
+  const Index room = columns + columns / 4 + 64;
+  white_.conservativeResize(model_->sampleCount(), room);
+  cross_.conservativeResize(fixed_.cols(), room);
+  diagonal_.conservativeResize(room);
+  inner_.conservativeResize(room);
+}
+
+void Dictionary::appendAll() {
   Index columns = 0;
-  for (const Option& option : bank.options) columns += option.raw.cols();
-  white_.resize(model.sampleCount(), columns + 64);
-  for (std::size_t o = 0; o < bank.options.size(); ++o) appendColumns(bank.options[o].raw, o);
+  for (const Option& option : bank_->options) columns += option.raw.cols();
+  makeRoom(columns);
+  for (const Option& option : bank_->options) {
+    white_.middleCols(used_, option.raw.cols()) = model_->whiten(noise_, option.raw);
+    used_ += option.raw.cols();
+  }
+  MatrixXd cross = fixed_.transpose() * white_.leftCols(used_);
+  fixed_factor_.triangularView<Eigen::Lower>().solveInPlace(cross);
+  cross_.leftCols(used_) = cross;
+  Index at = 0;
+  for (std::size_t o = 0; o < bank_->options.size(); ++o) {
+    enter(o, {at, bank_->options[o].raw.cols()});
+    at += bank_->options[o].raw.cols();
+  }
 }
 
 void Dictionary::appendColumns(const RowMatrix& raw, std::size_t option) {
   const Index count = raw.cols();
-  if (used_ + count > white_.cols()) white_.conservativeResize(Eigen::NoChange, 2 * (used_ + count));
+  makeRoom(used_ + count);
   white_.middleCols(used_, count) = model_->whiten(noise_, raw);
-  const auto added = white_.middleCols(used_, count);
-  MatrixXd cross = fixed_.transpose() * added;
-  fixed_factor_.triangularView<Eigen::Lower>().solveInPlace(cross);
+  for (Index c = used_; c < used_ + count; ++c) {
+    VectorXd cross = fixed_.transpose() * white_.col(c);
+    fixed_factor_.triangularView<Eigen::Lower>().solveInPlace(cross);
+    cross_.col(c) = cross;
+  }
+  used_ += count;
+  enter(option, {used_ - count, count});
+}
+
+void Dictionary::enter(std::size_t option, Range range) {
+  const auto added = white_.middleCols(range.first, range.count);
+  const auto cross = cross_.middleCols(range.first, range.count);
   const double largest = bank_->candidateOf(option).largest;
   MatrixXd block = added.transpose() * added - cross.transpose() * cross;
   block.diagonal().array() += 1.0 / (largest * largest);
-  if (used_ + count > cross_.cols()) {
-    const Index room = white_.cols();
-    cross_.conservativeResize(fixed_.cols(), room);
-    diagonal_.conservativeResize(room);
-    inner_.conservativeResize(room);
-  }
-  cross_.middleCols(used_, count) = cross;
-  diagonal_.segment(used_, count) = block.diagonal();
-  inner_.segment(used_, count) = added.transpose() * target_ - cross.transpose() * target_fixed_;
-  ranges_.push_back({used_, count});
+  diagonal_.segment(range.first, range.count) = block.diagonal();
+  inner_.segment(range.first, range.count) = added.transpose() * target_ - cross.transpose() * target_fixed_;
+  ranges_.push_back(range);
   blocks_.push_back(std::move(block));
-  used_ += count;
   penalties_.push_back(penaltyOf(option));
   testable_.push_back(bank_->candidateOf(option).generic ||
                       strength(option) * largest * largest / 4.0 > kTestable);
@@ -326,7 +351,8 @@ double Dictionary::gainAt(const OptionSet& set, std::size_t candidate, std::span
   RowMatrix raw = cause.columns(shape);
   if (!raw.allFinite()) return 0.0;
   const MatrixXd white = model_->whiten(noise_, std::move(raw));
-  MatrixXd cross = fixed_.transpose() * white;
+  MatrixXd cross(fixed_.cols(), white.cols());
+  for (Index c = 0; c < white.cols(); ++c) cross.col(c) = fixed_.transpose() * white.col(c);
   fixed_factor_.triangularView<Eigen::Lower>().solveInPlace(cross);
   MatrixXd block = white.transpose() * white - cross.transpose() * cross;
   block.diagonal().array() += 1.0 / (cause.largest * cause.largest);
@@ -367,24 +393,32 @@ MatrixXd Dictionary::whitenedColumns(const OptionSet& set) const {
   return result;
 }
 
+MatrixXd Dictionary::projectedColumns(const OptionSet& set) const {
+  const std::vector<Index> columns = columnsOf(set);
+  MatrixXd coefficients(fixed_.cols(), static_cast<Index>(columns.size()));
+  for (Index i = 0; i < coefficients.cols(); ++i) {
+    coefficients.col(i) = cross_.col(columns[static_cast<std::size_t>(i)]);
+  }
+  fixed_factor_.transpose().triangularView<Eigen::Upper>().solveInPlace(coefficients);
+  MatrixXd result = whitenedColumns(set);
+  for (Index i = 0; i < result.cols(); ++i) result.col(i) -= fixed_ * coefficients.col(i);
+  return result;
+}
+
+VectorXd Dictionary::projectedTarget() const {
+  VectorXd coefficients = target_fixed_;
+  fixed_factor_.transpose().triangularView<Eigen::Upper>().solveInPlace(coefficients);
+  return target_ - fixed_ * coefficients;
+}
+
 VectorXd Dictionary::whitenedResidual(const OptionSet& set) const {
-  MatrixXd design(white_.rows(), fixed_.cols() + static_cast<Index>(columnsOf(set).size()));
-  design << fixed_, whitenedColumns(set);
-  MatrixXd normal = design.transpose() * design;
-  normal.diagonal().head(fixed_.cols()) += precision_;
-  if (normal.rows() == 0) return target_;
-  normal.diagonal().array() *= 1.0 + kJitter;
-  normal.diagonal().array() += 1e-30;
-  return target_ - design * Eigen::LDLT<MatrixXd>(normal).solve(design.transpose() * target_);
+  if (set.empty()) return projectedTarget();
+  return projectedTarget() - projectedColumns(set) * fit(set).coefficients;
 }
 
 double Dictionary::likeness(std::size_t a, std::size_t b) const {
   const auto orthonormal = [&](std::size_t option) {
-    MatrixXd columns = whitenedColumns(option);
-    const MatrixXd cross = cross_.middleCols(ranges_[option].first, ranges_[option].count);
-    MatrixXd coefficients = cross;
-    fixed_factor_.transpose().triangularView<Eigen::Upper>().solveInPlace(coefficients);
-    columns -= fixed_ * coefficients;
+    const MatrixXd columns = projectedColumns({option});
     const Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
     return MatrixXd(qr.householderQ() * MatrixXd::Identity(columns.rows(), qr.rank()));
   };

@@ -77,8 +77,9 @@ class Dictionary {
   /// Whitened residual with the set and the fixed part fitted.
   [[nodiscard]] VectorXd whitenedResidual(const OptionSet& set) const;
   [[nodiscard]] const VectorXd& whitenedTarget() const { return target_; }
-  [[nodiscard]] const Eigen::MatrixXd& whitenedFixed() const { return fixed_; }
-  [[nodiscard]] const VectorXd& fixedPrecision() const { return precision_; }
+  /// Whitened columns of the set, and the whitened target, less what the fixed part makes of them.
+  [[nodiscard]] Eigen::MatrixXd projectedColumns(const OptionSet& set) const;
+  [[nodiscard]] VectorXd projectedTarget() const;
   [[nodiscard]] auto whitenedColumns(std::size_t option) const {
     return white_.middleCols(ranges_[option].first, ranges_[option].count);
   }
@@ -98,7 +99,11 @@ class Dictionary {
     VectorXd diagonal;
     VectorXd target;
   };
+  void makeRoom(Index columns);
+  void appendAll();
   void appendColumns(const RowMatrix& raw, std::size_t option);
+  /// Takes over an option whose columns and their projection are in place.
+  void enter(std::size_t option, Range range);
   [[nodiscard]] double penaltyOf(std::size_t option) const;
   [[nodiscard]] double effectiveSamples(std::size_t option) const;
   [[nodiscard]] double betweenRunSamples(const RowMatrix& raw, double samples) const;

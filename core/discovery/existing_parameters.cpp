@@ -1,5 +1,6 @@
 #include "core/discovery/existing_parameters.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -116,6 +117,47 @@ class Collector {
   Typical typical_;
 };
 
+struct Directions {
+  Eigen::MatrixXd columns;
+  Eigen::MatrixXd mix;
+};
+
+/// The directions in which the readings know more than a fifth of what the prior does, effect by effect.
+Directions tellingDirections(const std::vector<ExistingParameter>& parameters,
+                             const std::vector<VectorXd>& columns) {
+  constexpr double kTelling = 0.2;
+  Directions all;
+  const auto total = static_cast<Index>(columns.size());
+  const Index samples = columns.empty() ? 0 : columns[0].size();
+  if (total == 0) return all;
+  std::vector<VectorXd> kept, mixes;
+  for (Index first = 0; first < total;) {
+    Index last = first;
+    while (last < total && parameters[static_cast<std::size_t>(last)].effect ==
+                               parameters[static_cast<std::size_t>(first)].effect) {
+      ++last;
+    }
+    Eigen::MatrixXd block(samples, last - first);
+    for (Index c = first; c < last; ++c) block.col(c - first) = columns[static_cast<std::size_t>(c)];
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(block.transpose() * block);
+    for (Index k = 0; k < last - first; ++k) {
+      if (solver.eigenvalues()[k] < kTelling) continue;
+      VectorXd mix = VectorXd::Zero(total);
+      mix.segment(first, last - first) = solver.eigenvectors().col(k);
+      kept.emplace_back(block * solver.eigenvectors().col(k));
+      mixes.push_back(std::move(mix));
+    }
+    first = last;
+  }
+  all.columns.resize(samples, static_cast<Index>(kept.size()));
+  all.mix.resize(total, static_cast<Index>(kept.size()));
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    all.columns.col(static_cast<Index>(k)) = kept[k];
+    all.mix.col(static_cast<Index>(k)) = mixes[k];
+  }
+  return all;
+}
+
 }  // namespace
 
 ExistingPart existingPart(const Campaign& campaign) {
@@ -133,9 +175,11 @@ ExistingPart existingPart(const Campaign& campaign) {
     }
   }
   const RowMatrix zeros = campaign.zeroColumns();
-  const auto count = static_cast<Index>(columns.size());
+  const Directions directions = tellingDirections(part.parameters, columns);
+  const Index count = directions.columns.cols();
+  part.directions = directions.mix;
   part.fixed.columns.resize(campaign.residual().size(), count + zeros.cols());
-  for (Index c = 0; c < count; ++c) part.fixed.columns.col(c) = columns[static_cast<std::size_t>(c)];
+  if (count != 0) part.fixed.columns.leftCols(count) = directions.columns;
   part.fixed.columns.rightCols(zeros.cols()) = zeros;
   part.fixed.precision = VectorXd::Zero(part.fixed.columns.cols());
   part.fixed.precision.head(count).setOnes();
@@ -173,6 +217,7 @@ void moveParameter(Json& json, const std::string& name, double change) {
 
 Result<ErrorModel> movedModel(const ErrorModel& model, const ExistingPart& part,
                               const VectorXd& coefficients) {
+  const VectorXd moves = part.directions * coefficients.head(part.directions.cols());
   std::vector<errors::EffectPtr> effects = model.effects();
   for (std::size_t e = 0; e < effects.size(); ++e) {
     Json json = effects[e]->toJson(model.machine());
@@ -181,7 +226,7 @@ Result<ErrorModel> movedModel(const ErrorModel& model, const ExistingPart& part,
     for (std::size_t p = 0; p < part.parameters.size(); ++p) {
       const ExistingParameter& parameter = part.parameters[p];
       if (parameter.effect != e) continue;
-      const double change = coefficients[static_cast<Index>(p)] * parameter.sigma;
+      const double change = moves[static_cast<Index>(p)] * parameter.sigma;
       moved = true;
       if (parameter.name.empty()) {
         nodes.emplace_back(parameter.node, change);

@@ -16,8 +16,11 @@ struct ExistingParameter {
 /// free. An existing parameter that drifted is so never taken for a missing effect, and a table that was
 /// itself noisy is neither blamed on one nor swallows one.
 struct ExistingPart {
-  std::vector<ExistingParameter> parameters;  ///< belong to the first columns of `fixed`
-  FixedPart fixed;  ///< coefficients in units of the priors (parameters), µm (zeros)
+  std::vector<ExistingParameter> parameters;
+  /// Coefficients: directions of the parameters (unit prior), then the zeros in µm. Only directions that the
+  /// readings can tell from the prior are there.
+  FixedPart fixed;
+  Eigen::MatrixXd directions;  ///< parameters (in prior standard deviations) by coefficient of `fixed`
 };
 
 [[nodiscard]] ExistingPart existingPart(const Campaign& campaign);

@@ -111,10 +111,8 @@ HeldOut Gates::heldOut(const Dictionary& dictionary, const OptionSet& set, std::
   OptionSet ordered = without(set, option);
   const Index rest_columns = dictionary.whitenedColumns(ordered).cols();
   ordered.push_back(option);
-  const Index q = dictionary.whitenedFixed().cols();
-  MatrixXd design(model_->sampleCount(), q + dictionary.whitenedColumns(ordered).cols());
-  design << dictionary.whitenedFixed(), dictionary.whitenedColumns(ordered);
-  const VectorXd& target = dictionary.whitenedTarget();
+  const MatrixXd design = dictionary.projectedColumns(ordered);
+  const VectorXd target = dictionary.projectedTarget();
   VectorXd gain = VectorXd::Zero(target.size());
   for (int fold = 0; fold < kFolds; ++fold) {
     std::vector<Index> train, test;
@@ -124,13 +122,14 @@ HeldOut Gates::heldOut(const Dictionary& dictionary, const OptionSet& set, std::
     if (test.empty() || train.empty()) continue;
     const MatrixXd x = design(train, Eigen::all);
     MatrixXd normal = x.transpose() * x;
-    normal.diagonal().head(q) += dictionary.fixedPrecision();
     normal.diagonal().array() += 1e-9 * normal.diagonal().mean() + 1e-30;
     const VectorXd right = x.transpose() * target(train);
     const VectorXd full = Eigen::LDLT<MatrixXd>(normal).solve(right);
-    const Index less = q + rest_columns;
-    const VectorXd short_fit =
-        Eigen::LDLT<MatrixXd>(normal.topLeftCorner(less, less)).solve(right.head(less));
+    const Index less = rest_columns;
+    VectorXd short_fit(less);
+    if (less != 0) {
+      short_fit = Eigen::LDLT<MatrixXd>(normal.topLeftCorner(less, less)).solve(right.head(less));
+    }
     for (const Index i : test) {
       const double with_it = target[i] - design.row(i).dot(full);
       const double without_it = target[i] - design.row(i).head(less).dot(short_fit);
@@ -160,14 +159,11 @@ double Gates::clusterInflation(const Dictionary& dictionary, const OptionSet& se
   const std::vector<int> units = unitsFor(dictionary, option, 8);
   const OptionSet rest = without(set, option);
   const VectorXd own = ownCoefficients(dictionary, set, option, dictionary.fit(set).coefficients);
-  VectorXd direction = dictionary.whitenedColumns(option) * own;
-  // What neither the rest nor the fixed part can imitate.
-  MatrixXd design(direction.size(),
-                  dictionary.whitenedFixed().cols() + dictionary.whitenedColumns(rest).cols());
-  design << dictionary.whitenedFixed(), dictionary.whitenedColumns(rest);
+  VectorXd direction = dictionary.projectedColumns({option}) * own;
+  // What the rest cannot imitate.
+  const MatrixXd design = dictionary.projectedColumns(rest);
   if (design.cols() != 0) {
     MatrixXd normal = design.transpose() * design;
-    normal.diagonal().head(dictionary.whitenedFixed().cols()) += dictionary.fixedPrecision();
     normal.diagonal().array() += 1e-9 * normal.diagonal().mean() + 1e-30;
     direction -= design * Eigen::LDLT<MatrixXd>(normal).solve(design.transpose() * direction);
   }
@@ -182,15 +178,29 @@ double Gates::clusterInflation(const Dictionary& dictionary, const OptionSet& se
   return plain <= 0.0 ? 1.0 : std::max(1.0, clusters / plain);
 }
 
+const Gates::PlainFixed& Gates::plainFixed() const {
+  if (plain_fixed_) return *plain_fixed_;
+  PlainFixed fixed{fixed_->columns, {}};
+  for (Index i = 0; i < fixed.columns.rows(); ++i) {
+    if (model_->outliers()[static_cast<std::size_t>(i)]) fixed.columns.row(i).setZero();
+  }
+  MatrixXd normal = fixed.columns.transpose() * fixed.columns;
+  normal.diagonal() += fixed_->precision;
+  normal.diagonal().array() *= 1.0 + 1e-9;
+  normal.diagonal().array() += 1e-30;
+  fixed.inverse = Eigen::LLT<MatrixXd>(normal).solve(MatrixXd::Identity(normal.rows(), normal.cols()));
+  plain_fixed_ = std::move(fixed);
+  return *plain_fixed_;
+}
+
 bool Gates::agrees(const Dictionary& dictionary, const OptionSet& set, std::size_t option) const {
   const Candidate& candidate = dictionary.bank().candidateOf(option);
   if (candidate.generic) return true;
+  const PlainFixed& fixed = plainFixed();
   Index count = 0;
   for (const std::size_t member : set) count += dictionary.bank().options[member].raw.cols();
-  const Index q = fixed_->columns.cols();
-  MatrixXd design(model_->sampleCount(), q + count);
-  design.leftCols(q) = fixed_->columns;
-  Index at = q;
+  RowMatrix design(model_->sampleCount(), count);
+  Index at = 0;
   for (const std::size_t member : set) {
     const RowMatrix& raw = dictionary.bank().options[member].raw;
     design.middleCols(at, raw.cols()) = raw;
@@ -200,11 +210,14 @@ bool Gates::agrees(const Dictionary& dictionary, const OptionSet& set, std::size
   for (Index i = 0; i < target.size(); ++i) {
     if (model_->outliers()[static_cast<std::size_t>(i)]) design.row(i).setZero(), target[i] = 0.0;
   }
-  MatrixXd normal = design.transpose() * design;
-  normal.diagonal().head(q) += fixed_->precision;
+  const MatrixXd between = fixed.columns.transpose() * design;
+  const MatrixXd solved = fixed.inverse * between;
+  MatrixXd normal = design.transpose() * design - between.transpose() * solved;
   normal.diagonal().array() *= 1.0 + 1e-9;
   normal.diagonal().array() += 1e-30;
-  const VectorXd plain = Eigen::LDLT<MatrixXd>(normal).solve(design.transpose() * target).tail(count);
+  const VectorXd right =
+      design.transpose() * target - solved.transpose() * (fixed.columns.transpose() * target);
+  const VectorXd plain = Eigen::LDLT<MatrixXd>(normal).solve(right);
   const VectorXd ordinary = ownCoefficients(dictionary, set, option, plain);
   const VectorXd weighted = ownCoefficients(dictionary, set, option, dictionary.fit(set).coefficients);
   const double ratio = ordinary.norm() / std::max(weighted.norm(), 1e-300);

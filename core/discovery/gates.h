@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/discovery/search.h"
@@ -56,10 +57,18 @@ class Gates {
                                           std::size_t fewest) const;
   [[nodiscard]] std::vector<int> foldsOf(const std::vector<int>& units) const;
 
+  /// Least squares on what the declared repeatabilities alone weigh; outliers left out.
+  struct PlainFixed {
+    RowMatrix columns;
+    Eigen::MatrixXd inverse;
+  };
+  [[nodiscard]] const PlainFixed& plainFixed() const;
+
   const NoiseModel* model_;
   const FixedPart* fixed_;
   VectorXd residual_;
   GateOptions options_;
+  mutable std::optional<PlainFixed> plain_fixed_;
   std::vector<int> runs_;       // of each sample
   std::vector<int> blocks_;     // of each sample
   std::vector<int> groups_;     // of each sample

@@ -82,10 +82,13 @@ VectorXd gainsAt(const WaveSite& site, const Part& part, const NoiseModel& model
         }
       }
       model.whitenRunAlone(run, noise.shape[group], noise.level[group], waves);
-      const auto sines = waves.leftCols(width).array(), cosines = waves.rightCols(width).array();
-      ss.segment(from, width) += sines.square().colwise().sum().matrix().transpose();
-      cc.segment(from, width) += cosines.square().colwise().sum().matrix().transpose();
-      sc.segment(from, width) += (sines * cosines).colwise().sum().matrix().transpose();
+      for (Index i = 0; i < run.count; ++i) {
+        const auto sines = waves.row(i).head(width).array().transpose();
+        const auto cosines = waves.row(i).tail(width).array().transpose();
+        ss.segment(from, width).array() += sines.square();
+        cc.segment(from, width).array() += cosines.square();
+        sc.segment(from, width).array() += sines * cosines;
+      }
       const VectorXd inner = waves.transpose() * residual.segment(run.first, run.count);
       sr.segment(from, width) += inner.head(width);
       cr.segment(from, width) += inner.tail(width);
