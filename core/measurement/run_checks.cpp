@@ -121,7 +121,8 @@ class RunChecker {
       RunFault fault = faultAt(
           span(run), sign ? "run.sign" : "run.factor",
           sign ? fmt::format("{} of {} has the opposite sign of {}.", column, name(run), versus)
-               : fmt::format("{} of {} is {:.4g} times {}.", column, name(run), straight.factor, versus),
+               : fmt::format("{} of {} is about {:.4g} times {} ({:.4g}).", column, name(run), *factor,
+                             versus, straight.factor),
           sign ? "Check the sense of the reading; turn the sign of this run if it was noted the wrong way "
                  "round."
                : "Check the unit (mm, um, inch, mil) in which this run was noted.");

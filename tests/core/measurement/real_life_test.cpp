@@ -257,14 +257,16 @@ std::vector<RealFile> mistakes() {
           "opposite sign"),
       reads(
           "one run in millimetres", [](const Sheet& s) { return scaled(s, "3", 1e-3).text(); },
-          "0.001 times"),
+          "about 0.001 times"),
       reads(
-          "one run in nanometres", [](const Sheet& s) { return scaled(s, "3", 1e3).text(); }, "1000 times"),
+          "one run in nanometres", [](const Sheet& s) { return scaled(s, "3", 1e3).text(); },
+          "about 1000 times"),
       reads(
           "one run in thousandths of an inch",
-          [](const Sheet& s) { return scaled(s, "1", 1.0 / 25.4).text(); }, "0.0394 times"),
+          [](const Sheet& s) { return scaled(s, "1", 1.0 / 25.4).text(); }, "about 0.03937 times"),
       reads(
-          "one run of an inch instrument", [](const Sheet& s) { return scaled(s, "4", 25.4).text(); }, "25."),
+          "one run of an inch instrument", [](const Sheet& s) { return scaled(s, "4", 25.4).text(); },
+          "about 25.4 times"),
       reads(
           "one run in the opposite order",
           [](Sheet s) {
