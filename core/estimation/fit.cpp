@@ -48,9 +48,12 @@ class Fitter {
 
   void sumUp() { sums_ = normalSums(linearisation_, fit_.weights).reduced(map_); }
 
-  Result<void> solveOnce() {
-    Result<MixedSolution> solution = solve(readings_, sums_, fit_.noise, prior_, fit_.parameters, adapts());
+  /// Without `with_covariance` the covariance stays that of the last solution that had one.
+  Result<void> solveOnce(bool with_covariance) {
+    Result<MixedSolution> solution =
+        solve(readings_, sums_, fit_.noise, prior_, fit_.parameters, with_covariance);
     if (!solution) return solution.error();
+    if (!with_covariance) solution->covariance = std::move(solution_.covariance);
     solution_ = std::move(*solution);
     fit_.rest = restOf(linearisation_, map_ * solution_.step, solution_);
     return {};
@@ -59,7 +62,7 @@ class Fitter {
   /// Solves and adapts the noise levels to what remains, until both agree.
   Result<void> settleNoise(int steps) {
     for (int step = 0; step < steps; ++step) {
-      if (Result<void> done = solveOnce(); !done) return done;
+      if (Result<void> done = solveOnce(adapts()); !done) return done;
       if (!options_.estimate_noise) return {};
       const NoiseLevels before = fit_.noise;
       fit_.noise = updatedNoise(readings_, sums_, before, solution_, fit_.rest, fit_.weights);
@@ -70,7 +73,7 @@ class Fitter {
       }
       if (change < kSettled) break;
     }
-    return solveOnce();
+    return solveOnce(false);
   }
 
   Result<void> firstSolution() {
@@ -95,17 +98,18 @@ class Fitter {
 
   /// Huber's loss by reweighting, with levels that outliers do not reach.
   Result<void> reweight() {
+    const std::vector<double> share = freedom();
     for (int step = 0; step < options_.robust.iterations; ++step) {
       if (progress_.isCancelled()) return cancelled();
-      fit_.noise.scale = robustScales(readings_, fit_.rest, freedom());
+      fit_.noise.scale = robustScales(readings_, fit_.rest, share);
       const VectorXd before = fit_.weights;
       fit_.weights = huberWeights(readings_, fit_.noise, fit_.rest, options_.robust.huber);
       if ((fit_.weights - before).cwiseAbs().maxCoeff() < 1e-3) break;
       sumUp();
-      if (Result<void> done = solveOnce(); !done) return done;
+      if (Result<void> done = solveOnce(false); !done) return done;
     }
-    fit_.noise.scale = robustScales(readings_, fit_.rest, freedom());
-    return {};
+    fit_.noise.scale = robustScales(readings_, fit_.rest, share);
+    return solveOnce(true);
   }
 
   /// Leaves outliers out and lets the rest count fully, until the set of outliers stands.
@@ -126,14 +130,14 @@ class Fitter {
     fit_.parameters += solution_.step;
     if (Result<void> done = linearisation_.at(map_ * fit_.parameters, false, progress_); !done) return done;
     ++fit_.linearisations;
-    NormalSums residuals;
-    residuals = fullSums();
+    const NormalSums residuals = fullSums();
     for (std::size_t c = 0; c < residuals.right.size(); ++c) {
       sums_.right[c] = map_.transpose() * residuals.right[c];
     }
     sums_.square = residuals.square;
     sums_.group_right = residuals.group_right;
-    return options_.estimate_noise && fit_.linearisations <= 3 ? settleNoise(kNoiseSteps) : solveOnce();
+    // The first refinement may show that the noise is smaller than what was not linear.
+    return options_.estimate_noise && fit_.linearisations <= 3 ? settleNoise(2) : solveOnce(false);
   }
 
   [[nodiscard]] NormalSums fullSums() const {

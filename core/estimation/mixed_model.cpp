@@ -139,14 +139,19 @@ struct ClassSums {
 
 void addGroups(const ReadingSet& readings, const NormalSums& sums, const NoiseLevels& noise,
                const MixedSolution& solution, std::vector<ClassSums>& classes) {
+  MatrixXd columns(solution.covariance.rows(), static_cast<Index>(readings.groups().size()));
+  for (Index g = 0; g < columns.cols(); ++g) {
+    const RunGroup& group = readings.groups()[static_cast<std::size_t>(g)];
+    columns.col(g) = groupColumn(sums, group, g, readings.zeroCount());
+  }
+  const VectorXd spreads = columns.cwiseProduct(solution.covariance * columns).colwise().sum();
   for (std::size_t n = 0; n < readings.groups().size(); ++n) {
     const RunGroup& group = readings.groups()[n];
     const auto g = static_cast<Index>(n);
     const double scale = noise.scale[group.noise];
     const double unit = scale * scale * sums.group_variance[g];
     const double pull = pullOf(sums, noise, group, g);
-    const VectorXd column = groupColumn(sums, group, g, readings.zeroCount());
-    const double spread = column.dot(solution.covariance * column);
+    const double spread = spreads[g];
     const double prior = noise.ratio[group.noise] * unit;
     const double told =
         std::max(0.0, pull * sums.group_weight[g] - (prior > 0.0 ? pull * pull * spread / prior : 0.0));

@@ -65,9 +65,9 @@ class Planter {
 
   [[nodiscard]] Targets targetsOf(int joint) {
     if (machine_.joint(joint).continuous) return {0.0, kTurn / kTurnTargets, kTurnTargets, true};
-    if (machine_.isRotary(joint)) return {-1.2, 0.2, 13, false};
-    const int count = random_.whole(8, 12);
-    return {-30.0 * random_.whole(1, 4), 30.0, count, false};
+    if (machine_.isRotary(joint)) return {-1.2, 0.3, 9, false};
+    const int count = random_.whole(7, 10);
+    return {-40.0 * random_.whole(1, 4), 40.0, count, false};
   }
 
   /// A few waves, 2 to 8 µm or 1 to 4 arcsec.

@@ -6,7 +6,7 @@
 namespace nineline::estimation {
 
 /// Readings of three instruments on a drawn machine of two linear joints and one rotary one, unknown tables
-/// on two components of each joint and one location error; numbers only, nothing meaningful.
+/// on one or two components of each joint and one location error, all told by the readings.
 struct SampleProblem {
   explicit SampleProblem(unsigned seed, int runs = 2, int targets = 8);
 

@@ -177,7 +177,7 @@ TEST(Identify, OneDialTellsTheStandingFramesMotionOnly) {
 
 TEST(Identify, ABallbarTellsTheSumOfTheSquarenessesOnly) {
   const Machine machine = *kinematics::findBuiltInMachine("generic-3axis");
-  Measurement file = lineOf(machine, "X", InstrumentKind::Ballbar, Quantity::Radius, {});
+  Measurement file = lineOf(machine, "X", InstrumentKind::Ballbar, Quantity::Radius, Eigen::Vector3d::Zero());
   file.instrument = {};
   file.instrument.kind = InstrumentKind::Ballbar;
   file.instrument.radius = 100.0;
@@ -212,7 +212,8 @@ TEST(JudgePlan, SaysWhatAPlanTellsBeforeAnyoneMeasures) {
   const auto one = judgePlan(machine, files);
   ASSERT_TRUE(one);
   EXPECT_THAT(one->told, ElementsAre("EXX"));
-  files.push_back(lineOf(machine, "X", InstrumentKind::LaserAngular, Quantity::Angle, {}, 2));
+  files.push_back(
+      lineOf(machine, "X", InstrumentKind::LaserAngular, Quantity::Angle, Eigen::Vector3d::Zero(), 2));
   const auto two = judgePlan(machine, files);
   ASSERT_TRUE(two);
   EXPECT_THAT(two->told, ElementsAre("EXX", "ECX"));
@@ -223,7 +224,8 @@ TEST(JudgePlan, SaysWhatAPlanTellsBeforeAnyoneMeasures) {
 TEST(Identify, RefusesNothing) {
   const Machine machine = *kinematics::findBuiltInMachine("linear-stage");
   EXPECT_EQ(identifyQuietly(machine, {}).error().kind, ErrorKind::BadInput);
-  Measurement empty = lineOf(machine, "X", InstrumentKind::LaserLinear, Quantity::Length, {});
+  Measurement empty =
+      lineOf(machine, "X", InstrumentKind::LaserLinear, Quantity::Length, Eigen::Vector3d::Zero());
   for (auto& reading : empty.readings) reading.reset();
   EXPECT_EQ(identifyQuietly(machine, {empty}).error().code, "identify.empty");
 }
