@@ -49,6 +49,7 @@ MotionPlanner::MotionPlanner(const ErrorModel& model, const ProgramSetup& setup,
   turned_.fill(std::numeric_limits<double>::infinity());
   for (int i = 0; i < machine_.jointCount(); ++i) {
     const auto k = static_cast<std::size_t>(i);
+    follows_sense_ = follows_sense_ || model_.followsSense(i);
     if (model_.play(i) == 0.0) continue;
     // What a change of sense moves along the joint's own direction, at this point and so everywhere.
     errors::MachineState state = setup.state;
@@ -180,15 +181,15 @@ Result<void> MotionPlanner::plan(const Motion& motion, const Scope& scope, const
   if (motion.tool_centre_point) correction_.fill(0.0);
   if (Result<void> started = startFrom(motion, from); !started) return started;
   std::vector<double> cuts;
-  if (scope_.may_split && has_play_) {
+  if (scope_.may_split && follows_sense_) {
     simulation::reversalFractions(motion, cuts);
-    std::erase_if(cuts, [&](double fraction) {  // only where the axis that reverses there has play
+    std::erase_if(cuts, [&](double fraction) {  // only where an error of the axis follows its sense
       const AxisValues at = positionAt(motion, machine_.jointCount(), fraction);
       const auto first = static_cast<std::size_t>(motion.plane[0]);
       const auto second = static_cast<std::size_t>(motion.plane[1]);
       const bool first_reverses =
           std::abs(at[second] - motion.centre[1]) < std::abs(at[first] - motion.centre[0]);
-      return model_.play(first_reverses ? motion.plane[0] : motion.plane[1]) == 0.0;
+      return !model_.followsSense(first_reverses ? motion.plane[0] : motion.plane[1]);
     });
   }
   double begin = 0.0;

@@ -102,6 +102,7 @@ class MotionPlanner {
   JointPositions play_{};      // signed width of each joint's play: actual − command = −(play/2) · sense
   JointPositions holding_{};   // a joint with play turns back only for more than this, mm or rad
   bool has_play_ = false;
+  bool follows_sense_ = false;          // some error differs by the sense of a joint
   double rotary_step_ = 0.0;            // least increment of rotary words, rad
   std::optional<JointPositions> last_;  // ideal end of the last motion
   Scope scope_;

@@ -19,6 +19,7 @@ class Covariate {
   [[nodiscard]] std::optional<double> value(const MachineState& state) const;
   /// Index of the joint whose position this is, −1 otherwise.
   [[nodiscard]] int positionOf() const { return kind_ == Kind::Position ? joint_ : -1; }
+  [[nodiscard]] bool isApproach() const { return kind_ == Kind::Approach; }
   /// One mm or rad of that position in the unit of the name.
   [[nodiscard]] double unitsPerPosition() const { return rotary_ ? degFromRad(1.0) : 1.0; }
   /// True where a state may lack it because nobody stated it; joints' own quantities follow from the motion.

@@ -84,6 +84,8 @@ class Effect {
   [[nodiscard]] virtual bool covers(const MachineState&) const { return true; }
   /// The take-up at a reversal of the joint (mm, rad): 0 for effects without play.
   [[nodiscard]] virtual double play() const { return 0.0; }
+  /// True where the motion differs by the sense in which the joint arrives.
+  [[nodiscard]] virtual bool followsSense() const { return false; }
   /// The table behind the effect, for screens and for the fast path; nullptr where there is none.
   [[nodiscard]] virtual const ErrorTable* table() const { return nullptr; }
 

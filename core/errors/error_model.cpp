@@ -93,10 +93,12 @@ void ErrorModel::prepare() {
   memory_size_ = 0;
   feature_lengths_.fill(std::numeric_limits<double>::infinity());
   plays_.fill(0.0);
+  follows_sense_.fill(false);
   for (const EffectPtr& effect : effects_) {
     const auto joint = static_cast<std::size_t>(effect->joint());
     feature_lengths_[joint] = std::min(feature_lengths_[joint], effect->featureLength());
     plays_[joint] += effect->play();
+    follows_sense_[joint] = follows_sense_[joint] || effect->followsSense();
     memory_size_ += effect->memorySize();
     if (effect->table() == nullptr) others_.push_back(effect);
   }

@@ -65,6 +65,8 @@ class ErrorModel {
   [[nodiscard]] double featureLength(int joint) const {
     return feature_lengths_[static_cast<std::size_t>(joint)];
   }
+  /// True where an error of a joint differs by the sense in which it arrives.
+  [[nodiscard]] bool followsSense(int joint) const { return follows_sense_[static_cast<std::size_t>(joint)]; }
   /// Take-up of a joint at a reversal, the sum over its effects (mm, rad).
   [[nodiscard]] double play(int joint) const { return plays_[static_cast<std::size_t>(joint)]; }
 
@@ -87,6 +89,7 @@ class ErrorModel {
   RotationModel rotation_model_ = RotationModel::Exact;
   JointPositions feature_lengths_{};
   JointPositions plays_{};
+  std::array<bool, kMaxAxes> follows_sense_{};
 };
 
 }  // namespace nineline::errors

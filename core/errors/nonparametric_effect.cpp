@@ -147,6 +147,11 @@ std::vector<std::string> NonparametricEffect::needs() const {
   return names;
 }
 
+bool NonparametricEffect::followsSense() const {
+  return std::any_of(covariates_.begin(), covariates_.end(),
+                     [](const Covariate& one) { return one.isApproach(); });
+}
+
 double NonparametricEffect::featureLength() const {
   const bool own = covariates_[0].positionOf() == joint();
   return own ? form_.spacing / covariates_[0].unitsPerPosition() / kPiecesOfAnInterval

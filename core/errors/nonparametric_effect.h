@@ -42,6 +42,7 @@ class NonparametricEffect final : public Effect {
   void addSlope(const MachineState& state, SmallMotion& sum) const override;
   [[nodiscard]] std::vector<std::string> needs() const override;
   [[nodiscard]] double featureLength() const override;
+  [[nodiscard]] bool followsSense() const override;
   [[nodiscard]] bool covers(const MachineState& state) const override;
   [[nodiscard]] std::vector<Parameter> parameters() const override { return {}; }
   [[nodiscard]] Json toJson(const kinematics::Machine& machine) const override;

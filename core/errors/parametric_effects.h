@@ -29,6 +29,7 @@ class ParametricEffect : public Effect {
   [[nodiscard]] const Placement& placement() const { return placement_; }
   [[nodiscard]] std::vector<Parameter> parameters() const final { return parameters_; }
   [[nodiscard]] Json toJson(const kinematics::Machine& machine) const final;
+  [[nodiscard]] bool followsSense() const final { return (spec_.covariates & kApproach) != 0; }
 
  protected:
   explicit ParametricEffect(EffectParts parts);
