@@ -78,6 +78,9 @@ std::vector<Placement> placementsOf(const Machine& machine, const EffectSpec& sp
     if (!suits(spec.joints, machine.joint(i))) continue;
     for (const Component& component : componentsOf(machine, i, spec)) {
       found.push_back({.joint = i, .component = component});
+      // A rotating error may stand in either frame: they differ by one wave a turn.
+      if ((spec.sites & (kRadialPair | kTiltPair)) == 0) continue;
+      found.push_back({.joint = i, .component = component, .fixed_frame = true});
     }
   }
   return found;
