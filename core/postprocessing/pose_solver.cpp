@@ -1,0 +1,247 @@
+#include "core/postprocessing/pose_solver.h"
+
+#include <Eigen/Dense>
+#include <bit>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace nineline::postprocessing {
+
+namespace {
+
+using Rows = Eigen::Matrix<double, 5, Eigen::Dynamic, 0, 5, kMaxAxes>;
+using Vector5d = Eigen::Matrix<double, 5, 1>;
+using Matrix5d = Eigen::Matrix<double, 5, 5>;
+
+constexpr double kSingular = 1e-13;  // smallest share of a pivot that is still divided by
+constexpr int kMostHalvings = 8;
+
+/// Rotation vector that turns the unit vector `from` into `to` (theory.md, 4.2 b).
+Vector3d turnBetween(const Vector3d& from, const Vector3d& to) {
+  const Vector3d cross = from.cross(to);
+  const double sine = cross.norm();
+  if (sine > 1e-300) return cross * (std::atan2(sine, from.dot(to)) / sine);
+  return from.dot(to) >= 0.0 ? Vector3d(Vector3d::Zero()) : Vector3d(kPi * from.unitOrthogonal());
+}
+
+void capTurns(const Machine& machine, double most, JointPositions& step) {
+  double largest = 0.0;
+  for (int i = 0; i < machine.jointCount(); ++i) {
+    if (machine.isRotary(i)) largest = std::max(largest, std::abs(step[static_cast<std::size_t>(i)]));
+  }
+  if (largest <= most) return;
+  for (double& value : step) value *= most / largest;
+}
+
+double sizeOf(const TipAxisResidual& r, double rotation_length) {
+  return r.tip.squaredNorm() + rotation_length * rotation_length * r.turn.squaredNorm();
+}
+
+/// Solves J dx = r where J is square; false where it is singular.
+bool solveSquare(const Rows& J, const Vector5d& r, Eigen::Matrix<double, 5, 1>& x, double& openness) {
+  const Matrix5d square = J;
+  const Eigen::PartialPivLU<Matrix5d> lu(square);
+  const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
+  openness = pivots.prod();
+  if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return false;
+  x = lu.solve(r);
+  return true;
+}
+
+}  // namespace
+
+double angleBetween(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+TipAxis between(const TipAxis& from, const TipAxis& to, double s) {
+  TipAxis pose;
+  pose.tip = from.tip + s * (to.tip - from.tip);
+  const Vector3d turn = turnBetween(from.axis, to.axis);
+  const double angle = turn.norm();
+  if (angle == 0.0) return pose.axis = from.axis, pose;
+  pose.axis = (Eigen::AngleAxisd(s * angle, turn / angle) * from.axis).normalized();
+  return pose;
+}
+
+TipAxisResidual residualOf(const TipAxis& target, const TipAxis& pose) {
+  return {target.tip - pose.tip, turnBetween(pose.axis, target.axis)};
+}
+
+Increment increment(const Machine& machine, const TipAxisJacobian& jacobian, const Vector3d& axis,
+                    const TipAxisResidual& residual, unsigned free, double lambda,
+                    const SolverOptions& options) {
+  const Vector3d t1 = axis.unitOrthogonal();
+  const Vector3d t2 = axis.cross(t1);
+  Rows J(5, std::popcount(free));
+  std::array<int, kMaxAxes> joints{};
+  std::array<double, kMaxAxes> scale{};  // W^(-1/2)
+  std::size_t count = 0;
+  for (int i = 0; i < machine.jointCount(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if ((free >> k & 1U) == 0) continue;
+    joints[count] = i;
+    scale[count] = machine.isRotary(i) ? 1.0 / options.rotary_length : 1.0;
+    const auto c = static_cast<Eigen::Index>(count);
+    J.col(c).head<3>() = scale[count] * jacobian.tip[k];
+    J(3, c) = scale[count] * options.rotation_length * t1.dot(jacobian.turn[k]);
+    J(4, c) = scale[count] * options.rotation_length * t2.dot(jacobian.turn[k]);
+    ++count;
+  }
+  Vector5d r;
+  r << residual.tip, options.rotation_length * t1.dot(residual.turn),
+      options.rotation_length * t2.dot(residual.turn);
+  Increment result;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxAxes, 1> x(J.cols());
+  if (count == 5 && lambda == 0.0) {
+    Vector5d five;
+    result.solved = solveSquare(J, r, five, result.openness);
+    x = five;
+  } else if (count >= 5) {
+    Matrix5d A = J * J.transpose();
+    A.diagonal().array() += lambda * lambda;
+    const Eigen::PartialPivLU<Matrix5d> lu(A);
+    const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
+    result.openness = std::sqrt(pivots.prod());
+    result.solved = pivots.minCoeff() > kSingular * kSingular * pivots.maxCoeff();
+    x = J.transpose() * lu.solve(r);
+  } else {
+    Eigen::MatrixXd A = J.transpose() * J;
+    A.diagonal().array() += std::max(lambda * lambda, 1e-14);
+    x = A.ldlt().solve(J.transpose() * r);
+    result.openness = 1.0;
+    result.solved = true;
+  }
+  if (!result.solved || !x.allFinite()) return result.solved = false, result;
+  for (std::size_t c = 0; c < count; ++c)
+    result.dq[static_cast<std::size_t>(joints[c])] = scale[c] * x[static_cast<Eigen::Index>(c)];
+  return result;
+}
+
+PoseSolver::PoseSolver(const Machine& machine, const SolverOptions& options)
+    : machine_(machine), chain_(machine), options_(options), free_((1U << machine.jointCount()) - 1U) {}
+
+int PoseSolver::freeCount() const { return std::popcount(free_); }
+
+/// Brings joints that left their travel back to its end and takes them out of the free ones, as long as five
+/// remain.
+unsigned PoseSolver::stopAtTravel(JointPositions& q, unsigned free) const {
+  for (int i = 0; i < machine_.jointCount() && std::popcount(free) > 5; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const auto& travel = machine_.joint(i).travel;
+    if ((free >> k & 1U) == 0 || !travel || machine_.joint(i).continuous) continue;
+    if (q[k] >= travel->low && q[k] <= travel->high) continue;
+    q[k] = q[k] < travel->low ? travel->low : travel->high;
+    free &= ~(1U << k);
+  }
+  return free;
+}
+
+Solution PoseSolver::solve(const TipAxis& target, const JointPositions& start) const {
+  Solution solution;
+  solution.q = start;
+  unsigned free = free_;
+  TipAxisJacobian jacobian;
+  for (;; ++solution.iterations) {
+    const TipAxis pose = chain_.at(solution.q, jacobian);
+    const TipAxisResidual r = residualOf(target, pose);
+    solution.tip_error = r.tip.norm();
+    solution.axis_error = r.turn.norm();
+    solution.converged =
+        solution.tip_error < options_.tip_tolerance && solution.axis_error < options_.axis_tolerance;
+    if (solution.converged || solution.iterations == options_.most_iterations) return solution;
+    Increment step = increment(machine_, jacobian, pose.axis, r, free, 0.0, options_);
+    solution.openness = step.openness;
+    if (!step.solved) step = increment(machine_, jacobian, pose.axis, r, free, 1e-3, options_);
+    if (!step.solved) return solution;
+    capTurns(machine_, options_.largest_turn, step.dq);
+    for (std::size_t k = 0; k < kMaxAxes; ++k) solution.q[k] += step.dq[k];
+    if (isRedundant()) free = stopAtTravel(solution.q, free);
+  }
+}
+
+Solution PoseSolver::damped(const TipAxis& target, const JointPositions& start) const {
+  Solution solution;
+  solution.q = start;
+  double lambda = 0.1;
+  TipAxisJacobian jacobian;
+  TipAxis pose = chain_.at(solution.q, jacobian);
+  TipAxisResidual r = residualOf(target, pose);
+  for (; solution.iterations < 100; ++solution.iterations) {
+    const double before = sizeOf(r, options_.rotation_length);
+    if (before < 1e-8) break;
+    Increment step = increment(machine_, jacobian, pose.axis, r, free_, lambda, options_);
+    if (!step.solved) break;
+    capTurns(machine_, 2.0 * options_.largest_turn, step.dq);
+    JointPositions next = solution.q;
+    for (std::size_t k = 0; k < kMaxAxes; ++k) next[k] += step.dq[k];
+    if (isRedundant()) stopAtTravel(next, free_);
+    TipAxisJacobian next_jacobian;
+    const TipAxis next_pose = chain_.at(next, next_jacobian);
+    const TipAxisResidual next_r = residualOf(target, next_pose);
+    if (sizeOf(next_r, options_.rotation_length) < before) {
+      solution.q = next;
+      jacobian = next_jacobian;
+      pose = next_pose;
+      r = next_r;
+      lambda = std::max(0.2 * lambda, 1e-6);
+    } else {
+      lambda *= 5.0;
+      if (lambda > 1e6) break;
+    }
+  }
+  return solution;
+}
+
+Solution PoseSolver::search(const TipAxis& target, const JointPositions& start) const {
+  const Solution rough = damped(target, start);
+  Solution fine = solve(target, rough.q);
+  fine.iterations += rough.iterations;
+  return fine;
+}
+
+Solution PoseSolver::follow(const TipAxis& from, const JointPositions& q, const TipAxis& to) const {
+  Solution solution = solve(to, q);
+  for (int halving = 1; halving <= kMostHalvings && !solution.converged; ++halving) {
+    const int steps = 1 << halving;
+    Solution part;
+    part.q = q;
+    int iterations = 0;
+    for (int i = 1; i <= steps; ++i) {
+      part = solve(i == steps ? to : between(from, to, static_cast<double>(i) / steps), part.q);
+      iterations += part.iterations;
+      if (!part.converged) break;
+    }
+    solution = part;
+    solution.iterations = iterations;
+  }
+  return solution.converged ? solution : search(to, q);
+}
+
+Solution PoseSolver::holdTip(const TipAxis& target, const JointPositions& start) const {
+  Solution solution;
+  solution.q = start;
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMaxAxes> J(3, 0);
+  std::array<std::size_t, kMaxAxes> joints{};
+  TipAxisJacobian jacobian;
+  TipAxis pose = chain_.at(solution.q, jacobian);
+  for (int i = 0; i < machine_.jointCount(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (machine_.isRotary(i) || (free_ >> k & 1U) == 0) continue;
+    joints[static_cast<std::size_t>(J.cols())] = k;
+    J.conservativeResize(3, J.cols() + 1);
+    J.col(J.cols() - 1) = jacobian.tip[k];
+  }
+  for (int repeat = 0; repeat < 2 && J.cols() > 0;
+       ++repeat, ++solution.iterations) {  // linear: the second cleans
+    const Eigen::VectorXd step = J.colPivHouseholderQr().solve(target.tip - pose.tip);
+    for (Eigen::Index c = 0; c < J.cols(); ++c) solution.q[joints[static_cast<std::size_t>(c)]] += step[c];
+    pose = chain_.at(solution.q);
+  }
+  const TipAxisResidual r = residualOf(target, pose);
+  solution.tip_error = r.tip.norm();
+  solution.axis_error = r.turn.norm();
+  solution.converged = solution.tip_error < options_.tip_tolerance;
+  return solution;
+}
+
+}  // namespace nineline::postprocessing
