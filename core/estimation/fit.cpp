@@ -9,8 +9,9 @@ std::size_t Fit::outliers() const { return static_cast<std::size_t>((weights.arr
 namespace {
 
 constexpr int kNoiseSteps = 12;
-constexpr double kSettled = 1e-2;     // relative change of noise levels
-constexpr double kSmallStep = 1e-12;  // mm, rad: a prediction that changes less has settled
+constexpr double kSettled = 1e-2;         // relative change of noise levels
+constexpr double kSettledWeights = 0.02;  // change of any reading's weight
+constexpr double kSmallStep = 1e-12;      // mm, rad: a prediction that changes less has settled
 constexpr double kSmallStepSigmas = 1e-5;
 
 class Fitter {
@@ -104,7 +105,7 @@ class Fitter {
       fit_.noise.scale = robustScales(readings_, fit_.rest, share);
       const VectorXd before = fit_.weights;
       fit_.weights = huberWeights(readings_, fit_.noise, fit_.rest, options_.robust.huber);
-      if ((fit_.weights - before).cwiseAbs().maxCoeff() < 1e-3) break;
+      if ((fit_.weights - before).cwiseAbs().maxCoeff() < kSettledWeights) break;
       sumUp();
       if (Result<void> done = solveOnce(false); !done) return done;
     }

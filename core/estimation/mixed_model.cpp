@@ -7,10 +7,13 @@ namespace nineline::estimation {
 
 namespace {
 
-constexpr double kUsualRatio = 0.25;     // variance of run offsets by that of the noise, before any data
-constexpr double kRatioFreedom = 0.5;    // runs that the usual ratio counts for
-constexpr double kPooledFreedom = 4.0;   // runs that the ratio of all classes together counts for in one
-constexpr double kLeastScale = 1e-8;     // of the stated repeatability: keeps noiseless readings finite
+constexpr double kUsualRatio = 0.25;    // variance of run offsets by that of the noise, before any data
+constexpr double kRatioFreedom = 0.5;   // runs that the usual ratio counts for
+constexpr double kPooledFreedom = 4.0;  // runs that the ratio of all classes together counts for in one
+// Of the stated repeatability, and of the largest level: keep readings without any noise finite.
+constexpr double kLeastScale = 1e-6;
+constexpr double kLeastShare = 1e-3;
+constexpr double kJitter = 1e-13;        // added to the unit diagonal where rounding has made it indefinite
 constexpr double kZeroPrecision = 1e-4;  // 1/mm²: an unused zero stays at 0
 
 struct System {
@@ -91,7 +94,11 @@ Result<MixedSolution> solve(const ReadingSet& readings, const NormalSums& sums, 
   system.right.head(p) -= prior * at;
   const VectorXd unit = system.matrix.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   system.matrix = (unit.asDiagonal() * system.matrix * unit.asDiagonal()).eval();
-  const Eigen::LLT<MatrixXd> factor(system.matrix);
+  Eigen::LLT<MatrixXd> factor(system.matrix);
+  if (factor.info() != Eigen::Success) {
+    system.matrix.diagonal().array() += kJitter;
+    factor.compute(system.matrix);
+  }
   if (factor.info() != Eigen::Success) {
     return noAnswer("estimation.singular", "The readings do not determine the unknowns that were asked for.");
   }
@@ -203,6 +210,8 @@ NoiseLevels updatedNoise(const ReadingSet& readings, const NormalSums& sums, con
     out.ratio[c] =
         (classes[c].offset_square + kPooledFreedom * pooled) / (classes[c].offset_freedom + kPooledFreedom);
   }
+  const double largest = *std::max_element(out.scale.begin(), out.scale.end());
+  for (double& scale : out.scale) scale = std::max(scale, kLeastShare * largest);
   return out;
 }
 

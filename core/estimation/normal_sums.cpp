@@ -1,5 +1,7 @@
 #include "core/estimation/normal_sums.h"
 
+#include <algorithm>
+
 namespace nineline::estimation {
 
 namespace {
@@ -35,30 +37,34 @@ void fillGroupVariance(const ReadingSet& readings, NormalSums& sums) {
 /// The rows of one batch and one noise class, gathered until a chunk is full.
 class Gatherer {
  public:
-  Gatherer(const Linearisation::Batch& batch, std::size_t noise)
+  Gatherer(const Linearisation::Batch& batch, std::size_t noise, Index rows)
       : columns_(batch.columns),
         noise_(noise),
-        rows_(static_cast<Index>(batch.columns.size()), kChunk),
-        residuals_(kChunk),
+        rows_(static_cast<Index>(batch.columns.size()), std::min(rows, kChunk)),
+        residuals_(rows_.cols()),
         local_(MatrixXd::Zero(rows_.rows(), rows_.rows())),
         right_(VectorXd::Zero(rows_.rows())) {}
 
   [[nodiscard]] double* next(double root_weight, double residual) {
-    if (used_ == kChunk) flush();
+    if (used_ == rows_.cols()) flush();
     residuals_[used_] = root_weight * residual;
     return rows_.col(used_++).data();
   }
   void scatter(NormalSums& sums) {
     flush();
-    const MatrixXd full = local_.selfadjointView<Eigen::Lower>();
-    MatrixXd& matrix = sums.matrix[noise_];
-    VectorXd& right = sums.right[noise_];
+    // An instrument sees some of the blocks only; the columns of the others are zero.
+    std::vector<std::size_t> seen;
     for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (local_(static_cast<Index>(k), static_cast<Index>(k)) > 0.0) seen.push_back(k);
+    }
+    MatrixXd& matrix = sums.matrix[noise_];
+    for (const std::size_t k : seen) {
       const auto column = static_cast<Index>(k);
-      right[columns_[k]] += right_[column];
+      sums.right[noise_][columns_[k]] += right_[column];
       double* out = matrix.col(columns_[k]).data();
-      for (std::size_t i = 0; i < columns_.size(); ++i)
-        out[columns_[i]] += full(static_cast<Index>(i), column);
+      for (const std::size_t i : seen) {
+        out[columns_[i]] += local_(static_cast<Index>(std::max(i, k)), static_cast<Index>(std::min(i, k)));
+      }
     }
   }
 
@@ -108,13 +114,18 @@ NormalSums normalSums(const Linearisation& linearisation, const VectorXd& weight
   fillGroupVariance(readings, sums);
   for (const Linearisation::Batch& batch : linearisation.batches()) {
     std::vector<std::unique_ptr<Gatherer>> gatherers(readings.classes().size());
+    std::size_t rows = 0;
+    for (const std::size_t sample : batch.samples) {
+      rows += readings.samples()[sample].last_row - readings.samples()[sample].first_row;
+    }
     for (const std::size_t sample : batch.samples) {
       const SamplePlace& place = readings.samples()[sample];
       for (std::size_t row = place.first_row; row < place.last_row; ++row) {
         const double weight = weights[static_cast<Index>(row)];
         if (weight <= 0.0) continue;
         const std::size_t noise = readings.noiseOf(row);
-        if (!gatherers[noise]) gatherers[noise] = std::make_unique<Gatherer>(batch, noise);
+        if (!gatherers[noise])
+          gatherers[noise] = std::make_unique<Gatherer>(batch, noise, static_cast<Index>(rows));
         addReading(linearisation, sample, row, weight, batch.columns, *gatherers[noise], sums);
       }
     }
@@ -152,15 +163,53 @@ void updateRight(const Linearisation& linearisation, const VectorXd& weights, No
   }
 }
 
-NormalSums NormalSums::reduced(const Eigen::SparseMatrix<double>& map) const {
-  NormalSums out = *this;
-  const Eigen::SparseMatrix<double> transposed = map.transpose();
-  for (std::size_t c = 0; c < matrix.size(); ++c) {
-    const MatrixXd half = transposed * matrix[c];  // rows: parameters
-    out.matrix[c] = half * map;
-    out.right[c] = transposed * right[c];
+namespace {
+
+/// mapᵀ · matrix · map. An instrument sees some of the unknowns; rows and columns of the others are left out.
+MatrixXd congruence(const MatrixXd& matrix, const Eigen::SparseMatrix<double>& map) {
+  std::vector<Index> seen;
+  std::vector<Index> place(static_cast<std::size_t>(matrix.rows()), -1);
+  for (Index i = 0; i < matrix.rows(); ++i) {
+    if (matrix(i, i) <= 0.0) continue;
+    place[static_cast<std::size_t>(i)] = static_cast<Index>(seen.size());
+    seen.push_back(i);
   }
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<Index> parameters;
+  for (Index k = 0; k < map.cols(); ++k) {
+    const std::size_t before = entries.size();
+    for (Eigen::SparseMatrix<double>::InnerIterator it(map, k); it; ++it) {
+      const Index row = place[static_cast<std::size_t>(it.row())];
+      if (row < 0) continue;
+      entries.emplace_back(static_cast<int>(row), static_cast<int>(parameters.size()), it.value());
+    }
+    if (entries.size() > before) parameters.push_back(k);
+  }
+  Eigen::SparseMatrix<double> part(static_cast<Index>(seen.size()), static_cast<Index>(parameters.size()));
+  part.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SparseMatrix<double> transposed = part.transpose();
+  const MatrixXd small = matrix(seen, seen);
+  const MatrixXd half = transposed * small;
+  MatrixXd result = MatrixXd::Zero(map.cols(), map.cols());
+  result(parameters, parameters) = half * part;
+  return result;
+}
+
+}  // namespace
+
+NormalSums NormalSums::reduced(const Eigen::SparseMatrix<double>& map) const {
+  const Eigen::SparseMatrix<double> transposed = map.transpose();
+  NormalSums out;
+  for (std::size_t c = 0; c < matrix.size(); ++c) {
+    out.matrix.push_back(congruence(matrix[c], map));
+    out.right.emplace_back(transposed * right[c]);
+  }
+  out.square = square;
+  out.count = count;
   out.group_columns = transposed * group_columns;
+  out.group_right = group_right;
+  out.group_weight = group_weight;
+  out.group_variance = group_variance;
   return out;
 }
 

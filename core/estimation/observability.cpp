@@ -8,6 +8,8 @@ namespace nineline::estimation {
 
 namespace {
 
+// Priors count for little here, so that what they say is not taken for something that the readings tell.
+constexpr double kPriorShare = 1e-4;
 constexpr double kPartnerShare = 0.25;  // of the strongest partner, below which a chunk is not named
 
 /// The Cholesky factor of the told parameters, which grows chunk by chunk.
@@ -102,7 +104,7 @@ std::vector<Telling> tellApart(const MatrixXd& information, const VectorXd& plau
     }
     if (chunks[c].prior.size() > 0) {
       const VectorXd unit = plausible(chunk);
-      remaining += unit.asDiagonal() * chunks[c].prior * unit.asDiagonal();
+      remaining += kPriorShare * (unit.asDiagonal() * chunks[c].prior * unit.asDiagonal());
     }
     factor.append(chunk, remaining);
   }

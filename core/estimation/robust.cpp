@@ -9,9 +9,9 @@ namespace nineline::estimation {
 namespace {
 
 constexpr double kMedianToSigma = 1.4826;  // of a normal distribution
-// Below these no reading is an outlier: resolution of numbers in files, not of machines.
-constexpr double kLeastOutlier = 1e-2 * kNanometre;  // mm
-constexpr double kLeastAngle = 1e-10;                // rad
+// Below these no reading is an outlier: what one linearisation leaves of exact readings (1e-4 rad squared).
+constexpr double kLeastOutlier = 2.0 * kNanometre;  // mm
+constexpr double kLeastAngle = 1e-8;                // rad
 
 double leastSigma(const NoiseClass& noise) { return noise.angular ? kLeastAngle : kLeastOutlier; }
 
@@ -45,7 +45,7 @@ std::vector<double> robustScales(const ReadingSet& readings, const VectorXd& res
       std::nth_element(sizes[c].begin(), middle, sizes[c].end());
       scale = kMedianToSigma * *middle / std::sqrt(std::clamp(freedom[c], 0.1, 1.0));
     }
-    scales.push_back(std::max(scale, 1e-8));
+    scales.push_back(std::max(scale, 1e-6));
   }
   return scales;
 }

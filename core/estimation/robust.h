@@ -9,7 +9,7 @@ struct RobustOptions {
   bool enabled = true;
   double huber = 1.5;  ///< standard deviations within which a reading counts fully while outliers are sought
   double outlier = 4.0;  ///< standard deviations (of what the fit leaves) from which a reading is left out
-  int iterations = 8;    ///< reweighted solutions at most
+  int iterations = 6;    ///< reweighted solutions at most
 };
 
 /// Weights of Huber's loss: 1 up to `huber` standard deviations, from there falling as 1/|rest|.

@@ -51,6 +51,10 @@ void listUnobservable(const ParameterSet& parameters, const std::vector<estimati
   }
 }
 
+namespace {
+constexpr std::size_t kProposals = 6;
+}
+
 double NoiseFound::repeatability() const { return std::hypot(within_run, run_offset); }
 
 namespace {
@@ -140,7 +144,7 @@ Result<IdentificationReport> identify(const Machine& machine, std::span<const Me
   report.model = std::move(*model);
   if (options.propose) {
     progress.report(0.9, "Look for the next measurement");
-    report.proposals = proposeMeasurements(*readings, *found, 3);
+    report.proposals = proposeMeasurements(*readings, *found, kProposals);
   }
   progress.report(1.0, "Identify");
   return report;
