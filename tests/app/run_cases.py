@@ -46,13 +46,20 @@ def json_faults(found, wanted, place="result"):
         yield f"{place} is {found!r}, expected {wanted!r}"
 
 
+def same_cell(one, other):
+    try:
+        return near(float(one), float(other))
+    except ValueError:  # an empty cell or a text
+        return one == other
+
+
 def csv_faults(found, wanted):
     rows, wanted_rows = found.splitlines(), wanted.splitlines()
     if len(rows) != len(wanted_rows) or rows[:1] != wanted_rows[:1]:
         return [f"{len(rows)} rows of other columns or count, expected {len(wanted_rows)}"]
     for number, (row, other) in enumerate(zip(rows[1:], wanted_rows[1:]), 2):
         for one, two in zip(row.split(","), other.split(",")):
-            if not near(float(one), float(two)):
+            if not same_cell(one, two):
                 return [f"row {number}: {one}, expected {two}"]
     return []
 
