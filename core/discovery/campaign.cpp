@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace nineline::discovery {
 
 namespace {
 
 using measurement::ReadingRow;
+
+constexpr double kLeastSigma = 1e-9;    // mm, rad
+constexpr double kUnknownSigma = 1e-4;  // where nothing repeats
 
 std::string groupName(const Measurement& file, std::size_t channel) {
   const measurement::Instrument& instrument = file.instrument;
@@ -44,6 +48,7 @@ Result<Campaign> Campaign::make(const ErrorModel& model, const std::vector<Measu
   for (const Measurement& measurement : measurements) {
     if (Result<void> added = campaign.addFile(measurement); !added) return added.error();
   }
+  campaign.estimateSigmas();
   campaign.collectReadings(use);
   if (campaign.readings_.size() < 8) {
     return badInput("discover.few", fmt::format("{} readings are too few to judge a model by; 8 at least",
@@ -73,20 +78,49 @@ Result<void> Campaign::addFile(const Measurement& measurement) {
   return {};
 }
 
+void Campaign::estimateSigmas() {
+  std::map<std::string, std::vector<double>> by_group;
+  for (CampaignFile& file : files_) {
+    const std::size_t channels = file.measurement.channels.size();
+    estimates_.emplace_back(channels, 0.0);
+    Measurement residuals = file.measurement;
+    std::vector<bool> unstated(channels, false);
+    for (std::size_t r = 0; r < file.rows.size(); ++r) {
+      const ReadingRow& row = file.rows[r];
+      if (!row.value) continue;
+      unstated[row.channel] = unstated[row.channel] || !row.sigma;
+      residuals.readings[row.sample * channels + row.channel] =
+          *row.value - file.predicted[static_cast<Index>(r)];
+    }
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+      if (!unstated[channel]) continue;
+      estimated_ = true;
+      const double found = repeatabilityFromRepeats(residuals, file.states, channel).value_or(kUnknownSigma);
+      estimates_.back()[channel] = found;
+      by_group[groupName(file.measurement, channel)].push_back(found);
+    }
+  }
+  // One instrument has one repeatability: the middle of what its files say.
+  for (std::size_t f = 0; f < files_.size(); ++f) {
+    for (std::size_t channel = 0; channel < estimates_[f].size(); ++channel) {
+      if (estimates_[f][channel] == 0.0) continue;
+      std::vector<double>& all = by_group[groupName(files_[f].measurement, channel)];
+      const auto middle = all.begin() + static_cast<std::ptrdiff_t>((all.size() - 1) / 2);
+      std::nth_element(all.begin(), middle, all.end());
+      estimates_[f][channel] = *middle;
+    }
+  }
+}
+
 void Campaign::collectReadings(const Use& use) {
   std::vector<double> residual;
   for (std::size_t f = 0; f < files_.size(); ++f) {
     CampaignFile& file = files_[f];
     for (std::size_t channel = 0; channel < file.measurement.channels.size(); ++channel) {
-      std::optional<double> estimate;
       for (std::size_t r = 0; r < file.rows.size(); ++r) {
         const ReadingRow& row = file.rows[r];
         if (row.channel != channel || !row.value || !file.complete[r] || !use(f, row.sample)) continue;
-        if (!row.sigma && !estimate) {
-          estimate = repeatabilityFromRepeats(file.measurement, file.states, channel).value_or(1e-4);
-          estimated_ = true;
-        }
-        const double sigma = std::max(row.sigma.value_or(estimate.value_or(1e-4)), 1e-9);
+        const double sigma = std::max(row.sigma.value_or(estimates_[f][channel]), kLeastSigma);
         file.reading_of_row[r] = static_cast<Index>(readings_.size());
         readings_.push_back({f, r, row.sample, channel, sigma});
         residual.push_back((*row.value - file.predicted[static_cast<Index>(r)]) / sigma);

@@ -45,6 +45,10 @@ class Campaign {
   [[nodiscard]] const std::vector<Reading>& readings() const { return readings_; }
   [[nodiscard]] const VectorXd& residual() const { return residual_; }
   [[nodiscard]] const NoiseLayout& layout() const { return layout_; }
+  /// Repeatability of a channel that states none, from its repeats; 0 where it states one. mm, rad.
+  [[nodiscard]] double estimatedSigma(std::size_t file, std::size_t channel) const {
+    return estimates_[file][channel];
+  }
   /// True where the level of noise had to be estimated from repeats.
   [[nodiscard]] bool isEstimated() const { return estimated_; }
   /// Name of each group of the layout: "laser-linear Z".
@@ -64,6 +68,7 @@ class Campaign {
  private:
   explicit Campaign(ErrorModel model) : model_(std::move(model)) {}
   [[nodiscard]] Result<void> addFile(const Measurement& measurement);
+  void estimateSigmas();
   void collectReadings(const Use& use);
   void collectRuns();
   void addPlaces(const NoiseRun& run);
@@ -75,6 +80,7 @@ class Campaign {
   NoiseLayout layout_;
   std::vector<std::string> group_names_;
   bool estimated_ = false;
+  std::vector<std::vector<double>> estimates_;  // by file, channel
 };
 
 /// Standard deviation of a channel from repeats: readings at equal positions and approach in several runs;

@@ -76,6 +76,18 @@ std::size_t OptionBank::addOption(std::size_t candidate, std::vector<double> sha
   return options.size() - 1;
 }
 
+std::vector<std::size_t> OptionBank::keepOnly(const std::vector<bool>& kept) {
+  std::vector<std::size_t> moved(options.size(), options.size());
+  std::vector<Option> left;
+  for (std::size_t o = 0; o < options.size(); ++o) {
+    if (!kept[o]) continue;
+    moved[o] = left.size();
+    left.push_back(std::move(options[o]));
+  }
+  options = std::move(left);
+  return moved;
+}
+
 Dictionary::Dictionary(const NoiseModel& model, const Noise& noise, const FixedPart& fixed,
                        const VectorXd& residual, OptionBank& bank)
     : model_(&model), noise_(noise), bank_(&bank), precision_(fixed.precision) {
@@ -227,15 +239,28 @@ const VectorXd& Dictionary::gramRow(Index column) const {
   return row;
 }
 
+double Dictionary::gramEntry(Index a, Index b) const {
+  if (a == b) return diagonal_[a];
+  for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
+    const auto row = rows_.find(one);
+    if (row != rows_.end() && other < row->second.size()) return row->second[other];
+  }
+  const auto [entry, is_new] = entries_.try_emplace(std::minmax(a, b), 0.0);
+  if (is_new) entry->second = white_.col(a).dot(white_.col(b)) - cross_.col(a).dot(cross_.col(b));
+  return entry->second;
+}
+
 void Dictionary::gram(const OptionSet& set, MatrixXd& matrix, VectorXd& right) const {
   const std::vector<Index> columns = columnsOf(set);
   const auto k = static_cast<Index>(columns.size());
   matrix.resize(k, k);
   right.resize(k);
   for (Index i = 0; i < k; ++i) {
-    const VectorXd& row = gramRow(columns[static_cast<std::size_t>(i)]);
-    for (Index j = 0; j < k; ++j) matrix(i, j) = row[columns[static_cast<std::size_t>(j)]];
-    right[i] = inner_[columns[static_cast<std::size_t>(i)]];
+    const Index a = columns[static_cast<std::size_t>(i)];
+    for (Index j = 0; j <= i; ++j) {
+      matrix(i, j) = matrix(j, i) = gramEntry(a, columns[static_cast<std::size_t>(j)]);
+    }
+    right[i] = inner_[a];
   }
   for (Index i = 0; i < k; ++i) matrix(i, i) *= 1.0 + kJitter;
 }
@@ -255,6 +280,16 @@ Dictionary::Fit Dictionary::fit(const OptionSet& set) const {
   gram(set, matrix, right);
   const Eigen::LDLT<MatrixXd> factor(matrix);
   return {factor.solve(right), factor.solve(MatrixXd::Identity(matrix.rows(), matrix.cols()))};
+}
+
+VectorXd Dictionary::fixedBeside(const OptionSet& set, const VectorXd& coefficients) const {
+  VectorXd right = target_fixed_;
+  const std::vector<Index> columns = columnsOf(set);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    right -= coefficients[static_cast<Index>(i)] * cross_.col(columns[i]);
+  }
+  fixed_factor_.transpose().triangularView<Eigen::Upper>().solveInPlace(right);
+  return right;
 }
 
 bool Dictionary::isPlausible(const OptionSet& set) const {
@@ -346,33 +381,35 @@ VectorXd Dictionary::netGains(const OptionSet& set, Which which) const {
   return result;
 }
 
-double Dictionary::gainAt(const OptionSet& set, std::size_t candidate, std::span<const double> shape) const {
-  const Candidate& cause = bank_->candidates[candidate];
-  RowMatrix raw = cause.columns(shape);
-  if (!raw.allFinite()) return 0.0;
-  const MatrixXd white = model_->whiten(noise_, std::move(raw));
-  MatrixXd cross(fixed_.cols(), white.cols());
-  for (Index c = 0; c < white.cols(); ++c) cross.col(c) = fixed_.transpose() * white.col(c);
-  fixed_factor_.triangularView<Eigen::Lower>().solveInPlace(cross);
-  MatrixXd block = white.transpose() * white - cross.transpose() * cross;
-  block.diagonal().array() += 1.0 / (cause.largest * cause.largest);
-  VectorXd inner = white.transpose() * target_ - cross.transpose() * target_fixed_;
-  const VectorXd own = block.diagonal();
+Dictionary::Profile Dictionary::profile(const OptionSet& set, std::size_t like) const {
+  Profile profile{like, whitenedResidual(set), projectedColumns(set), {}, 1.0};
   if (!set.empty()) {
     MatrixXd matrix;
     VectorXd right;
     gram(set, matrix, right);
-    const Eigen::LDLT<MatrixXd> factor(matrix);
-    const std::vector<Index> columns = columnsOf(set);
-    MatrixXd between(matrix.rows(), white.cols());
-    for (Index i = 0; i < matrix.rows(); ++i) {
-      const Index c = columns[static_cast<std::size_t>(i)];
-      between.row(i) = white_.col(c).transpose() * white - cross_.col(c).transpose() * cross;
-    }
-    block -= between.transpose() * factor.solve(between);
-    inner -= between.transpose() * factor.solve(right);
+    profile.set_inverse =
+        Eigen::LDLT<MatrixXd>(matrix).solve(MatrixXd::Identity(matrix.rows(), matrix.cols()));
   }
-  return blockGain(std::move(block), inner, own, cause.sign);
+  const Range range = ranges_[like];
+  const double whole = white_.middleCols(range.first, range.count).squaredNorm();
+  const double taken = cross_.middleCols(range.first, range.count).squaredNorm();
+  if (whole > 0.0) profile.kept = std::clamp((whole - taken) / whole, kCollinear, 1.0);
+  return profile;
+}
+
+double Dictionary::gainAt(const Profile& profile, std::span<const double> shape) const {
+  const Candidate& cause = bank_->candidateOf(profile.like);
+  RowMatrix raw = cause.columns(shape);
+  if (!raw.allFinite()) return 0.0;
+  const MatrixXd white = model_->whiten(noise_, std::move(raw));
+  MatrixXd block = profile.kept * (white.transpose() * white);
+  block.diagonal().array() += 1.0 / (cause.largest * cause.largest);
+  const VectorXd own = block.diagonal();
+  if (profile.set_columns.cols() != 0) {
+    const MatrixXd between = profile.set_columns.transpose() * white;
+    block -= between.transpose() * profile.set_inverse * between;
+  }
+  return blockGain(std::move(block), white.transpose() * profile.residual, own, cause.sign);
 }
 
 std::size_t Dictionary::append(std::size_t like, std::vector<double> shape, std::vector<double> step) {

@@ -27,6 +27,8 @@ struct OptionBank {
   /// Adds one option of a candidate that is in the bank; gives its index, or that of an equal one.
   std::size_t addOption(std::size_t candidate, std::vector<double> shape, std::vector<double> step,
                         double prior_grid);
+  /// Leaves out options; gives the new index of every old one (their number where it is gone).
+  std::vector<std::size_t> keepOnly(const std::vector<bool>& kept);
   [[nodiscard]] const Candidate& candidateOf(std::size_t option) const {
     return candidates[options[option].candidate];
   }
@@ -58,6 +60,8 @@ class Dictionary {
     Eigen::MatrixXd covariance;  ///< of the same
   };
   [[nodiscard]] Fit fit(const OptionSet& set) const;
+  /// Coefficients of the fixed part beside coefficients of a set.
+  [[nodiscard]] VectorXd fixedBeside(const OptionSet& set, const VectorXd& coefficients) const;
   [[nodiscard]] bool isPlausible(const OptionSet& set) const;
 
   enum class Which { Named, Generic, Both };
@@ -66,9 +70,17 @@ class Dictionary {
   /// The same less the options' penalties.
   [[nodiscard]] VectorXd netGains(const OptionSet& set, Which which = Which::Named) const;
 
-  /// Gain of a candidate at a shape that is not (yet) an option.
-  [[nodiscard]] double gainAt(const OptionSet& set, std::size_t candidate,
-                              std::span<const double> shape) const;
+  /// What is needed to try other shapes of one option beside a set.
+  struct Profile {
+    std::size_t like = 0;
+    VectorXd residual;            ///< whitened, the set and the fixed part fitted
+    Eigen::MatrixXd set_columns;  ///< of the set, the fixed part projected out
+    Eigen::MatrixXd set_inverse;  ///< of their Gram matrix
+    double kept = 1.0;            ///< share of the option's square that the fixed part leaves
+  };
+  [[nodiscard]] Profile profile(const OptionSet& set, std::size_t like) const;
+  /// Gain of the option at another shape. What the fixed part takes of it is scaled from the option's own.
+  [[nodiscard]] double gainAt(const Profile& profile, std::span<const double> shape) const;
   /// Makes a new option beside an existing one of the same candidate; gives its index.
   std::size_t append(std::size_t like, std::vector<double> shape, std::vector<double> step);
   /// Takes over the options that the bank has got since.
@@ -109,6 +121,7 @@ class Dictionary {
   [[nodiscard]] double betweenRunSamples(const RowMatrix& raw, double samples) const;
   [[nodiscard]] std::vector<Index> columnsOf(const OptionSet& set) const;
   [[nodiscard]] const VectorXd& gramRow(Index column) const;
+  [[nodiscard]] double gramEntry(Index a, Index b) const;
   [[nodiscard]] Sweep sweep(const OptionSet& set) const;
   [[nodiscard]] double optionGain(std::size_t option, const Sweep& sweep) const;
   [[nodiscard]] double blockGain(Eigen::MatrixXd block, const VectorXd& target, const VectorXd& own,
@@ -134,6 +147,7 @@ class Dictionary {
   std::vector<double> penalties_;
   std::vector<bool> testable_;
   mutable std::map<Index, VectorXd> rows_;
+  mutable std::map<std::pair<Index, Index>, double> entries_;
 };
 
 }  // namespace nineline::discovery

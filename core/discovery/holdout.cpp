@@ -91,8 +91,7 @@ Result<void> Holdout::judge(const ErrorModel& before, const ErrorModel& after,
       const auto& is = (*new_residuals)[r];
       if (!was || !is) continue;
       const auto level = levels.find(rows[r].channel);
-      const double sigma = rows[r].sigma.value_or(
-          repeatabilityFromRepeats(filled, campaign.files()[f].states, rows[r].channel).value_or(1e-4));
+      const double sigma = rows[r].sigma.value_or(campaign.estimatedSigma(f, rows[r].channel));
       const double variance = sigma * sigma * (level == levels.end() ? 1.0 : level->second);
       if (*is * *is > kWild * kWild * variance && *was * *was > kWild * kWild * variance) continue;
       Sums& sums = filled.channels[rows[r].channel].isAngular() ? angles : lengths;

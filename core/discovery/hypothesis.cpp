@@ -32,9 +32,8 @@ RowMatrix rawColumns(const OptionBank& bank, const OptionSet& set, Index samples
 
 }  // namespace
 
-Hypotheses::Hypotheses(const NoiseModel& model, const Noise& noise, const FixedPart& fixed,
-                       const VectorXd& residual)
-    : model_(&model), fixed_(&fixed), residual_(residual), start_(whiten(noise)) {}
+Hypotheses::Hypotheses(const NoiseModel& model, const FixedPart& fixed, const VectorXd& residual)
+    : model_(&model), fixed_(&fixed), residual_(residual) {}
 
 Hypotheses::Whitened Hypotheses::whiten(const Noise& noise) const {
   Whitened space{noise, model_->whiten(noise, fixed_->columns), model_->whiten(noise, residual_), {}};
@@ -70,11 +69,16 @@ Hypotheses::Verdict Hypotheses::judge(const Dictionary& dictionary, const Option
   const RowMatrix raw = rawColumns(dictionary.bank(), set, model_->sampleCount(), prior);
   Verdict best;
   double best_value = -std::numeric_limits<double>::infinity();
-  Whitened space = start_;
   const int rounds = fixed_->columns.cols() <= kFewFixed ? 4 : 1;
   for (int round = 0; round < rounds; ++round) {
     Verdict verdict;
-    fit(space, raw, prior, verdict);
+    if (round == 0) {  // the dictionary has it all at its own noise
+      verdict.coefficients = dictionary.fit(set).coefficients;
+      verdict.fixed = dictionary.fixedBeside(set, verdict.coefficients);
+      verdict.residual = residual_ - fixed_->columns * verdict.fixed - raw * verdict.coefficients;
+    } else {
+      fit(whiten(best.noise), raw, prior, verdict);
+    }
     NoiseModel::Estimate noise = model_->estimate(verdict.residual);
     const double value = noise.log_likelihood -
                          0.5 * (prior.array() * verdict.coefficients.array().square()).sum() -
@@ -85,8 +89,7 @@ Hypotheses::Verdict Hypotheses::judge(const Dictionary& dictionary, const Option
       best_value = value;
       best = std::move(verdict);
     }
-    if (settled || round + 1 == rounds) break;
-    space = whiten(best.noise);
+    if (settled) break;
   }
   best.score = -2.0 * best_value + dictionary.totalPenalty(set);
   return best;

@@ -8,7 +8,7 @@ namespace nineline::discovery {
 /// "longer-correlated noise" and "larger offsets from run to run" as well as chance.
 class Hypotheses {
  public:
-  Hypotheses(const NoiseModel& model, const Noise& noise, const FixedPart& fixed, const VectorXd& residual);
+  Hypotheses(const NoiseModel& model, const FixedPart& fixed, const VectorXd& residual);
 
   struct Verdict {
     double score = 0.0;     ///< −2 ln L + penalties + coefficients against their priors
@@ -35,7 +35,6 @@ class Hypotheses {
   const NoiseModel* model_;
   const FixedPart* fixed_;
   VectorXd residual_;
-  Whitened start_;
 };
 
 /// What one member of a set is worth: the rise of the score when it is removed.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "core/discovery/campaign.h"
@@ -75,9 +76,15 @@ std::optional<double> repeatabilityFromRepeats(const Measurement& measurement,
       differences.push_back(readings[i] - 2.0 * readings[i - 1] + readings[i - 2]);
     }
   }
-  std::optional<double> found = pooled(groups);
-  if (!found) found = fromSecondDifferences(std::move(differences));
-  if (!found) return std::nullopt;
+  // Repeats also hold whatever changed between the runs, neighbours also hold what is smooth: the smaller
+  // counts.
+  constexpr double kCorrelated = 1.25;
+  const std::optional<double> repeats = pooled(groups);
+  const std::optional<double> neighbours = fromSecondDifferences(std::move(differences));
+  if (!repeats && !neighbours) return std::nullopt;
+  const double infinite = std::numeric_limits<double>::infinity();
+  const std::optional<double> found =
+      std::min(repeats.value_or(infinite), neighbours ? kCorrelated * *neighbours : infinite);
   return std::max({*found, roundingOf(std::move(all)) / std::sqrt(12.0), 1e-9});
 }
 

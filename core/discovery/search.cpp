@@ -19,7 +19,7 @@ struct State {
 };
 
 /// Best value of one non-linear parameter of a candidate within its step, the others held.
-double bestAlong(const Dictionary& dictionary, const OptionSet& rest, const Option& option,
+double bestAlong(const Dictionary& dictionary, const Dictionary::Profile& profile, const Option& option,
                  std::vector<double> shape, std::size_t parameter) {
   const Candidate& candidate = dictionary.bank().candidates[option.candidate];
   const Nonlinear& range = candidate.nonlinear[parameter];
@@ -28,7 +28,7 @@ double bestAlong(const Dictionary& dictionary, const OptionSet& rest, const Opti
   const double start = shape[parameter];
   const auto gain = [&](double value) {
     shape[parameter] = value;
-    return dictionary.gainAt(rest, option.candidate, shape);
+    return dictionary.gainAt(profile, shape);
   };
   const double start_gain = gain(start);
   double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
@@ -51,13 +51,14 @@ double bestAlong(const Dictionary& dictionary, const OptionSet& rest, const Opti
 std::size_t refineOption(Dictionary& dictionary, const OptionSet& rest, std::size_t option) {
   const Option original = dictionary.bank().options[option];
   const Candidate& candidate = dictionary.bank().candidates[original.candidate];
+  const Dictionary::Profile profile = dictionary.profile(rest, option);
   std::vector<double> shape = original.shape;
   bool moved = false;
   const int rounds = candidate.nonlinear.size() > 1 ? 2 : 1;
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t p = 0; p < shape.size(); ++p) {
       if (original.step[p] <= 0.0) continue;
-      const double value = bestAlong(dictionary, rest, original, shape, p);
+      const double value = bestAlong(dictionary, profile, original, shape, p);
       moved = moved || value != shape[p];
       shape[p] = value;
     }
@@ -194,12 +195,11 @@ OptionSet search(Dictionary& dictionary, const SearchOptions& options) {
       for (const std::size_t option : bestPerCandidate(dictionary, net, options.branch)) {
         if (net[static_cast<Index>(option)] <= options.margin - 15.0) break;
         if (hasCandidateOf(dictionary, state.set, option)) continue;
-        OptionSet longer = with(state.set, option);
-        if (isNonlinear(dictionary, option)) longer.back() = refineOption(dictionary, state.set, option);
+        const OptionSet longer = with(state.set, option);
         if (!seen.insert(keyOf(longer)).second) continue;
         const double score = dictionary.score(longer);
         if (score >= state.score - options.margin || !dictionary.isPlausible(longer)) continue;
-        next.push_back({score, std::move(longer)});
+        next.push_back({score, longer});
       }
     }
     if (next.empty()) break;
@@ -207,13 +207,15 @@ OptionSet search(Dictionary& dictionary, const SearchOptions& options) {
                      [](const State& a, const State& b) { return a.score < b.score; });
     if (next.size() > options.width) next.resize(options.width);
     for (State& state : next) {
-      state.set = refine(dictionary, std::move(state.set));
+      const std::size_t newest = state.set.back();
+      if (!isNonlinear(dictionary, newest)) continue;
+      state.set.back() = refineOption(dictionary, without(state.set, newest), newest);
       state.score = dictionary.score(state.set);
     }
     beam = std::move(next);
     if (beam[0].score < best.score) best = beam[0];
   }
-  return polish(dictionary, best.set, options);
+  return polish(dictionary, refine(dictionary, best.set, 2), options);
 }
 
 OptionSet polish(Dictionary& dictionary, OptionSet set, const SearchOptions& options) {

@@ -32,7 +32,7 @@ Selection::Selection(const Campaign& campaign, const GateOptions& gates)
       std::make_unique<Dictionary>(model_, noise_, existing_.fixed, campaign.residual(), library_.bank);
 }
 
-Hypotheses Selection::hypotheses() const { return {model_, noise_, existing_.fixed, campaign_->residual()}; }
+Hypotheses Selection::hypotheses() const { return {model_, existing_.fixed, campaign_->residual()}; }
 
 Gates Selection::gates() const { return {model_, existing_.fixed, campaign_->residual(), gate_options_}; }
 
@@ -65,18 +65,35 @@ void Selection::searchAndScan() {
   }
 }
 
+void Selection::prune() {
+  constexpr double kHopeless = 8.0;  // gain
+  const VectorXd alone = dictionary_->gains({});
+  const VectorXd beside = dictionary_->gains(set_);
+  std::vector<bool> kept(library_.bank.options.size());
+  for (std::size_t o = 0; o < kept.size(); ++o) {
+    const auto at = static_cast<Index>(o);
+    kept[o] = alone[at] > kHopeless || beside[at] > kHopeless;
+  }
+  for (const std::size_t member : set_) kept[member] = true;
+  const std::vector<std::size_t> moved = library_.bank.keepOnly(kept);
+  for (std::size_t& member : set_) member = moved[member];
+}
+
 Result<void> Selection::run(Progress& progress) {
+  progress.report(0.1, "searching");
+  searchAndScan();
+  prune();
+  dictionary_ =
+      std::make_unique<Dictionary>(model_, noise_, existing_.fixed, campaign_->residual(), library_.bank);
   std::set<std::size_t> before;
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (int pass = 1; pass < kPasses; ++pass) {
     if (progress.isCancelled()) return cancelled();
-    progress.report(0.1 + 0.15 * pass, "searching");
-    if (pass > 0) {
-      flagOutliers();
-      whitenAnew(pass == 1);
-    }
+    progress.report(0.1 + 0.2 * pass, "searching");
+    flagOutliers();
+    whitenAnew(pass == 1);
     searchAndScan();
     const std::set<std::size_t> causes = causesOf(library_.bank, set_);
-    if (pass > 1 && causes == before) break;
+    if (causes == before) break;
     before = causes;
   }
   if (progress.isCancelled()) return cancelled();

@@ -40,6 +40,8 @@ class Selection {
  private:
   void searchAndScan();
   void flagOutliers();
+  /// Leaves out options that could not gain anything, alone or beside the present set.
+  void prune();
 
   const Campaign* campaign_;
   GateOptions gate_options_;
