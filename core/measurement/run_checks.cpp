@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/base/text.h"
+#include "core/base/units.h"
 #include "core/measurement/run_profiles.h"
 
 namespace nineline::measurement {
@@ -47,7 +47,8 @@ std::pair<std::vector<double>, std::vector<double>> commonOf(const std::map<Plac
 std::optional<double> suspiciousFactor(const Likeness& likeness, double noise) {
   if (likeness.count < kFewestPlaces || likeness.explained < kExplained) return std::nullopt;
   if (likeness.rms_x < 2.0 * noise && likeness.rms_y < 2.0 * noise) return std::nullopt;
-  for (const double factor : {-1.0, 1000.0, 1e-3, 25.4, 1.0 / 25.4, 10.0, 0.1}) {
+  for (const double factor :
+       {-1.0, 1000.0, 1e-3, kMillimetresPerInch, 1.0 / kMillimetresPerInch, 10.0, 0.1}) {
     if (std::abs(likeness.factor / factor - 1.0) < kFactorTolerance) return factor;
   }
   return std::nullopt;
