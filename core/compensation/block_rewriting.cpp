@@ -89,7 +89,11 @@ Result<void> ProgramCorrector::correctMotion(const ExecutedBlock& executed, cons
   frame_ = shiftedFrame(*executed.frame);
   const bool several_turns = motion.kind == MotionKind::Arc && std::abs(motion.sweep) > kTurn + 1e-9;
   const bool own_first = setsModes(block, executed.motion_code);
-  const bool may_split = !((timing.at_start || own_first) && timing.at_end) && !several_turns;
+  // Parts of a block in inverse time need feeds of their own, which cannot be written into an expression.
+  const nc::Word* const feed = block.find('F');
+  const bool fixed_feed =
+      motion.feed_mode == nc::FeedMode::InverseTime && feed != nullptr && feed->expression;
+  const bool may_split = !((timing.at_start || own_first) && timing.at_end) && !several_turns && !fixed_feed;
   if (Result<void> planned = planner_.plan(motion, scopeOf(may_split), emitted_.position(), pieces_);
       !planned)
     return planned;
@@ -211,7 +215,8 @@ void ProgramCorrector::writeAxisWords(const Motion& motion, const Piece& piece, 
   }
   for (const EmittedPosition::Word& word : words_) {
     const auto k = static_cast<std::size_t>(word.axis);
-    changed_ = editor_.setAxis(layout_.axes[k].id, word.value, decimals_[k]) || changed_;
+    const bool stated = nc::contains(named, word.axis);
+    changed_ = editor_.setAxis(layout_.axes[k].id, word.value, decimals_[k], stated) || changed_;
   }
   if (piece.arc) writeCentre(motion, piece, from, centre_absolute, by_radius);
 }

@@ -20,11 +20,13 @@ namespace {
 int drillingAxis(const ExecutedBlock& executed, int axes, Motion& deepest) {
   int axis = -1;
   double longest = 0.0;
+  const Motion* first = nullptr;  // starts on the R plane
   for (const Motion& motion : executed.motions) {
     if (motion.kind != MotionKind::Linear) continue;
+    if (first == nullptr) first = &motion;
     for (int i = 0; i < axes; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      const double depth = std::abs(motion.end[k] - executed.motions.front().start[k]);
+      const double depth = std::abs(motion.end[k] - first->start[k]);
       if (motion.end[k] == motion.start[k] || depth <= longest) continue;
       longest = depth;
       axis = i;
@@ -72,7 +74,9 @@ Result<void> ProgramCorrector::correctCycle(const ExecutedBlock& executed) {
   const auto along = static_cast<std::size_t>(axis);
   const double deeper = pieces_.back().end[along] - bottom.end[along];
   // Where the original stands over the hole already, the corrected program does too: no motion is added.
-  const bool moves_over = movesAcross(executed.motions.front(), axis, layout_.count);
+  const bool moves_over =  // a tool below the R plane rises first
+      std::any_of(executed.motions.begin(), executed.motions.end(),
+                  [&](const Motion& motion) { return movesAcross(motion, axis, layout_.count); });
   AxisValues target = moves_over ? pieces_.back().end : emitted_.position();
   target[along] = emitted_.position()[along];
 
@@ -83,7 +87,7 @@ Result<void> ProgramCorrector::correctCycle(const ExecutedBlock& executed) {
                   decimals_, words_);
   for (const EmittedPosition::Word& word : words_) {
     const auto k = static_cast<std::size_t>(word.axis);
-    editor_.setAxis(layout_.axes[k].id, word.value, decimals_[k]);
+    editor_.setAxis(layout_.axes[k].id, word.value, decimals_[k], nc::contains(executed.has_word, word.axis));
   }
   // Depth and R plane move alike, so that a cycle pecks as often as before. The depth is modal: a hole that
   // needs another one states it.
@@ -94,7 +98,7 @@ Result<void> ProgramCorrector::correctCycle(const ExecutedBlock& executed) {
       pecks && retract == nullptr ? retract_change_ / factor : roundTo(deeper / factor, decimals_[along]);
   const double depth = roundTo(frame_.wordsOf(bottom.end, layout_.count)[along] + change, decimals_[along]);
   if (nc::contains(executed.has_word, axis) || (!pecks && depth != cycle_depth_))
-    editor_.setAxis(layout_.axes[along].id, depth, decimals_[along]);
+    editor_.setAxis(layout_.axes[along].id, depth, decimals_[along], nc::contains(executed.has_word, axis));
   cycle_depth_ = depth;
   if (retract != nullptr) {
     editor_.setWord('R', roundTo(retract->value + change, decimals_[along]), decimals_[along]);

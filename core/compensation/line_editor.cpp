@@ -67,9 +67,9 @@ bool LineEditor::setValue(const nc::Word& word, double value, int decimals) {
   return true;
 }
 
-bool LineEditor::setAxis(AxisId axis, double value, int decimals) {
+bool LineEditor::setAxis(AxisId axis, double value, int decimals, bool named) {
   const nc::Word* word = find(axis.letter, axis.digit);
-  if (word == nullptr && axis.digit == 0) word = find(incrementAddress(axis.letter), 0);
+  if (word == nullptr && named && axis.digit == 0) word = find(incrementAddress(axis.letter), 0);
   if (word != nullptr) return setValue(*word, value, decimals);
   NL_EXPECTS(editor_->addWord(axis.letter, axis.digit, value, decimals), value);
   return true;

@@ -25,8 +25,10 @@ class LineEditor {
   /// Starts a new line beside a block: empty, but for the block's skip sign.
   void beginNew(const nc::Block& block);
 
-  /// States an axis word; true when the line changed. `value` is rounded to `decimals` already.
-  bool setAxis(AxisId axis, double value, int decimals);
+  /// States an axis word; true when the line changed. `value` is rounded to `decimals` already. `named`: the
+  /// block names the axis, if need be by its increment address (U V W H of Fanuc lathes); elsewhere H is a
+  /// length.
+  bool setAxis(AxisId axis, double value, int decimals, bool named);
   /// States a word such as I, R or F; it is added where it is missing.
   bool setWord(char letter, double value, int decimals);
   void removeWord(char letter);
