@@ -12,6 +12,7 @@ namespace {
 
 using Rows = Eigen::Matrix<double, 5, Eigen::Dynamic, 0, 5, kMaxAxes>;
 using Vector5d = Eigen::Matrix<double, 5, 1>;
+using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxAxes, 1>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 
 constexpr double kSingular = 1e-13;  // smallest share of a pivot that is still divided by
@@ -39,14 +40,38 @@ double sizeOf(const TipAxisResidual& r, double rotation_length) {
 }
 
 /// Solves J dx = r where J is square; false where it is singular.
-bool solveSquare(const Rows& J, const Vector5d& r, Eigen::Matrix<double, 5, 1>& x, double& openness) {
+bool solveSquare(const Rows& J, const Vector5d& r, Vector5d& x) {
   const Matrix5d square = J;
   const Eigen::PartialPivLU<Matrix5d> lu(square);
   const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
-  openness = pivots.prod();
   if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return false;
   x = lu.solve(r);
   return true;
+}
+
+struct Equations {
+  Rows J;  // scaled columns of the joints that move
+  std::array<std::size_t, kMaxAxes> joints{};
+  std::array<double, kMaxAxes> scale{};  // W^(-1/2)
+};
+
+Equations equationsOf(const Machine& machine, const TipAxisJacobian& jacobian, const Vector3d& t1,
+                      const Vector3d& t2, unsigned free, const SolverOptions& options) {
+  Equations equations;
+  equations.J.resize(5, std::popcount(free));
+  std::size_t count = 0;
+  for (int i = 0; i < machine.jointCount(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if ((free >> k & 1U) == 0) continue;
+    const double scale = machine.isRotary(i) ? 1.0 / options.rotary_length : 1.0;
+    const auto c = static_cast<Eigen::Index>(count);
+    equations.J.col(c).head<3>() = scale * jacobian.tip[k];
+    equations.J(3, c) = scale * options.rotation_length * t1.dot(jacobian.turn[k]);
+    equations.J(4, c) = scale * options.rotation_length * t2.dot(jacobian.turn[k]);
+    equations.joints[count] = k;
+    equations.scale[count++] = scale;
+  }
+  return equations;
 }
 
 }  // namespace
@@ -72,48 +97,35 @@ Increment increment(const Machine& machine, const TipAxisJacobian& jacobian, con
                     const SolverOptions& options) {
   const Vector3d t1 = axis.unitOrthogonal();
   const Vector3d t2 = axis.cross(t1);
-  Rows J(5, std::popcount(free));
-  std::array<int, kMaxAxes> joints{};
-  std::array<double, kMaxAxes> scale{};  // W^(-1/2)
-  std::size_t count = 0;
-  for (int i = 0; i < machine.jointCount(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if ((free >> k & 1U) == 0) continue;
-    joints[count] = i;
-    scale[count] = machine.isRotary(i) ? 1.0 / options.rotary_length : 1.0;
-    const auto c = static_cast<Eigen::Index>(count);
-    J.col(c).head<3>() = scale[count] * jacobian.tip[k];
-    J(3, c) = scale[count] * options.rotation_length * t1.dot(jacobian.turn[k]);
-    J(4, c) = scale[count] * options.rotation_length * t2.dot(jacobian.turn[k]);
-    ++count;
-  }
+  const Equations equations = equationsOf(machine, jacobian, t1, t2, free, options);
+  const Rows& J = equations.J;
   Vector5d r;
   r << residual.tip, options.rotation_length * t1.dot(residual.turn),
       options.rotation_length * t2.dot(residual.turn);
   Increment result;
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxAxes, 1> x(J.cols());
-  if (count == 5 && lambda == 0.0) {
+  Column x(J.cols());
+  if (J.cols() == 5 && lambda == 0.0) {
     Vector5d five;
-    result.solved = solveSquare(J, r, five, result.openness);
+    result.solved = solveSquare(J, r, five);
     x = five;
-  } else if (count >= 5) {
+  } else if (J.cols() >= 5) {
     Matrix5d A = J * J.transpose();
     A.diagonal().array() += lambda * lambda;
     const Eigen::PartialPivLU<Matrix5d> lu(A);
     const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
-    result.openness = std::sqrt(pivots.prod());
     result.solved = pivots.minCoeff() > kSingular * kSingular * pivots.maxCoeff();
     x = J.transpose() * lu.solve(r);
   } else {
     Eigen::MatrixXd A = J.transpose() * J;
     A.diagonal().array() += std::max(lambda * lambda, 1e-14);
     x = A.ldlt().solve(J.transpose() * r);
-    result.openness = 1.0;
     result.solved = true;
   }
   if (!result.solved || !x.allFinite()) return result.solved = false, result;
-  for (std::size_t c = 0; c < count; ++c)
-    result.dq[static_cast<std::size_t>(joints[c])] = scale[c] * x[static_cast<Eigen::Index>(c)];
+  for (Eigen::Index c = 0; c < J.cols(); ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    result.dq[equations.joints[k]] = equations.scale[k] * x[c];
+  }
   return result;
 }
 
@@ -150,7 +162,6 @@ Solution PoseSolver::solve(const TipAxis& target, const JointPositions& start) c
         solution.tip_error < options_.tip_tolerance && solution.axis_error < options_.axis_tolerance;
     if (solution.converged || solution.iterations == options_.most_iterations) return solution;
     Increment step = increment(machine_, jacobian, pose.axis, r, free, 0.0, options_);
-    solution.openness = step.openness;
     if (!step.solved) step = increment(machine_, jacobian, pose.axis, r, free, 1e-3, options_);
     if (!step.solved) return solution;
     capTurns(machine_, options_.largest_turn, step.dq);
@@ -242,6 +253,33 @@ Solution PoseSolver::holdTip(const TipAxis& target, const JointPositions& start)
   solution.axis_error = r.turn.norm();
   solution.converged = solution.tip_error < options_.tip_tolerance;
   return solution;
+}
+
+double PoseSolver::opennessAt(const JointPositions& q) const {
+  TipAxisJacobian jacobian;
+  const Vector3d axis = chain_.at(q, jacobian).axis;
+  const Vector3d t1 = axis.unitOrthogonal();
+  const Equations equations = equationsOf(machine_, jacobian, t1, axis.cross(t1), free_, options_);
+  Eigen::Matrix<double, Eigen::Dynamic, 5, 0, kMaxAxes, 5> gain;
+  if (equations.J.cols() == 5) {
+    const Matrix5d square = equations.J;
+    gain = square.inverse();
+  } else if (equations.J.cols() > 5) {
+    const Matrix5d A = equations.J * equations.J.transpose();
+    gain = equations.J.transpose() * A.inverse();
+  } else {
+    return 1.0;  // fewer joints: the poses that they reach are reached in one way
+  }
+  if (!gain.allFinite()) return 0.0;
+  double most = 1.0;
+  for (Eigen::Index c = 0; c < gain.rows(); ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    if (!machine_.isRotary(static_cast<int>(equations.joints[k]))) continue;
+    const double to_turn = equations.scale[k] * options_.rotation_length;
+    most = std::max({most, gain.row(c).tail<2>().norm() * to_turn,
+                     gain.row(c).head<3>().norm() * equations.scale[k] * 100.0});
+  }
+  return 1.0 / most;
 }
 
 }  // namespace nineline::postprocessing

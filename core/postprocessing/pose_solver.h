@@ -25,9 +25,6 @@ struct Solution {
   int iterations = 0;
   double tip_error = 0.0;   ///< mm
   double axis_error = 0.0;  ///< rad
-  /// Determinant of the five scaled equations (the root of det J Jᵀ where more joints move); 0 at a singular
-  /// pose. 1 until an equation had to be solved.
-  double openness = 1.0;
   bool converged = false;
 };
 
@@ -35,7 +32,6 @@ struct Solution {
 /// rows of theory.md, 4.2; for five joints and λ = 0 simply J⁻¹ r. `free`: bit i set where joint i may move.
 struct Increment {
   JointPositions dq{};
-  double openness = 0.0;
   bool solved = false;  ///< false where the equations are singular
 };
 [[nodiscard]] Increment increment(const Machine& machine, const TipAxisJacobian& jacobian,
@@ -66,6 +62,10 @@ class PoseSolver {
   [[nodiscard]] Solution follow(const TipAxis& from, const JointPositions& q, const TipAxis& to) const;
   /// Moves the linear joints alone so that the tip is met; the axis is what the rotary joints make it.
   [[nodiscard]] Solution holdTip(const TipAxis& target, const JointPositions& start) const;
+  /// How far from singular a pose is: the inverse of the largest turn of a rotary joint that 1 rad of the
+  /// tool axis, or 100 mm of the tip, asks for. The sine of the inner angle on a machine with two rotary
+  /// axes; 0 at a singular pose, at most 1.
+  [[nodiscard]] double opennessAt(const JointPositions& q) const;
 
  private:
   [[nodiscard]] Solution damped(const TipAxis& target, const JointPositions& start) const;
