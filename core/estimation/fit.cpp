@@ -116,8 +116,8 @@ class Fitter {
   /// Leaves outliers out and lets the rest count fully, until the set of outliers stands.
   Result<void> leaveOut() {
     for (int step = 0; step < options_.robust.iterations; ++step) {
-      VectorXd weights = outlierWeights(linearisation_, fit_.noise, map_, solution_, fit_.rest, fit_.weights,
-                                        options_.robust.outlier);
+      VectorXd weights = outlierWeights(linearisation_, sums_, fit_.noise, map_, solution_, fit_.rest,
+                                        fit_.weights, options_.robust.outlier);
       if (step > 0 && weights == fit_.weights) return {};
       fit_.weights = std::move(weights);
       sumUp();
@@ -168,6 +168,10 @@ class Fitter {
     if (!last) return last.error();
     const Index p = map_.cols();
     fit_.covariance = last->covariance.topLeftCorner(p, p);
+    if (options_.estimate_noise) {
+      fit_.file_factors =
+          fileFactors(linearisation_, sums_, fit_.noise, map_, *last, fit_.rest, fit_.weights);
+    }
     fit_.zeros = solution_.zeros;
     fit_.offsets = solution_.offsets;
     fit_.condition_number = conditionNumber(information(readings_, sums_, fit_.noise) + prior_);

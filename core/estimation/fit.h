@@ -19,7 +19,8 @@ struct Fit {
   VectorXd weights;  ///< by row: 0 for an outlier
   VectorXd zeros;
   VectorXd offsets;
-  double condition_number = 0.0;  ///< of the normal matrix's root, columns scaled to unit length
+  std::vector<double> file_factors;  ///< by file: scatter of its readings by that of their noise class
+  double condition_number = 0.0;     ///< of the normal matrix's root, columns scaled to unit length
   int linearisations = 0;
   double last_step = 0.0;  ///< largest change of a prediction in the last step; mm, rad
   [[nodiscard]] std::size_t outliers() const;

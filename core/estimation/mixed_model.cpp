@@ -120,6 +120,19 @@ Result<MixedSolution> solve(const ReadingSet& readings, const NormalSums& sums, 
   return solution;
 }
 
+double fittedVariance(const ReadingSet& readings, const NormalSums& sums, const NoiseLevels& noise,
+                      const MixedSolution& solution, const VectorXd& a, std::size_t group) {
+  const RunGroup& of_group = readings.groups()[group];
+  const auto g = static_cast<Index>(group);
+  const double pull = pullOf(sums, noise, of_group, g);
+  const double scale = noise.scale[of_group.noise];
+  // The offset follows from the parameters as b = pull (Σ w r − column · all) and an error of its own.
+  VectorXd row = -pull * groupColumn(sums, of_group, g, readings.zeroCount());
+  row.head(a.size()) += a;
+  if (of_group.zero >= 0) row[a.size() + of_group.zero] += 1.0;
+  return row.dot(solution.covariance * row) + scale * scale * pull;
+}
+
 VectorXd restOf(const Linearisation& linearisation, const VectorXd& coefficient_step,
                 const MixedSolution& solution) {
   const ReadingSet& readings = linearisation.readings();

@@ -38,6 +38,13 @@ struct MixedSolution {
 [[nodiscard]] VectorXd restOf(const Linearisation& linearisation, const VectorXd& coefficient_step,
                               const MixedSolution& solution);
 
+/// Variance of what is fitted to a reading of a run group, its zero and run offset included; `a`: the
+/// reading's row, by parameter. The rest of a reading in the fit has the variance of its noise less this,
+/// that of a reading left out the sum of both. Requires a solution with covariance.
+[[nodiscard]] double fittedVariance(const ReadingSet& readings, const NormalSums& sums,
+                                    const NoiseLevels& noise, const MixedSolution& solution,
+                                    const VectorXd& a, std::size_t group);
+
 /// Noise levels of largest restricted likelihood, one fixed-point step (D. MacKay's form of EM; degrees of
 /// freedom spent on parameters, zeros and offsets are counted). Where the readings say little the stated
 /// level counts as much as `kStatedFreedom` readings would.

@@ -13,6 +13,10 @@ constexpr double kMedianToSigma = 1.4826;  // of a normal distribution
 constexpr double kLeastOutlier = 2.0 * kNanometre;  // mm
 constexpr double kLeastAngle = 1e-8;                // rad
 
+constexpr double kSuspicious = 0.5;      // of the limit: a smaller rest is not looked at more closely
+constexpr double kLeastVariance = 0.15;  // of a rest: where the fit takes more, no reading can be judged
+constexpr double kMostWork = 4e9;        // products; with more readings what the fit takes does not matter
+
 double leastSigma(const NoiseClass& noise) { return noise.angular ? kLeastAngle : kLeastOutlier; }
 
 }  // namespace
@@ -50,16 +54,16 @@ std::vector<double> robustScales(const ReadingSet& readings, const VectorXd& res
   return scales;
 }
 
-std::vector<double> fileFactors(const Linearisation& linearisation, const NoiseLevels& noise,
-                                const Eigen::SparseMatrix<double>& map, const MatrixXd& covariance,
-                                const VectorXd& rest, const VectorXd& weights) {
+std::vector<double> fileFactors(const Linearisation& linearisation, const NormalSums& sums,
+                                const NoiseLevels& noise, const Eigen::SparseMatrix<double>& map,
+                                const MixedSolution& solution, const VectorXd& rest,
+                                const VectorXd& weights) {
   const ReadingSet& readings = linearisation.readings();
   const Eigen::SparseMatrix<double> transposed = map.transpose();
   const bool counts =
-      static_cast<double>(readings.rows()) * static_cast<double>(map.cols() * map.cols()) < 4e9;
+      static_cast<double>(readings.rows()) * static_cast<double>(map.cols() * map.cols()) < kMostWork;
   std::vector<double> square(readings.files().size(), 0.0);
   std::vector<double> freedom(readings.files().size(), 0.0);
-  for (const RunGroup& group : readings.groups()) freedom[group.file] -= 1.0;  // its offset or its zero
   for (std::size_t row = 0; row < readings.rows(); ++row) {
     const auto at = static_cast<Index>(row);
     if (weights[at] <= 0.0) continue;
@@ -70,7 +74,8 @@ std::vector<double> fileFactors(const Linearisation& linearisation, const NoiseL
     freedom[group.file] += 1.0;
     if (!counts) continue;
     const VectorXd a = transposed * linearisation.row(row);
-    freedom[group.file] -= std::min(1.0, a.dot(covariance * a) / (sigma * sigma));
+    const double fitted = fittedVariance(readings, sums, noise, solution, a, reading.group);
+    freedom[group.file] -= std::min(1.0, fitted / (sigma * sigma));
   }
   std::vector<double> factors(square.size(), 1.0);
   for (std::size_t file = 0; file < square.size(); ++file) {
@@ -80,11 +85,11 @@ std::vector<double> fileFactors(const Linearisation& linearisation, const NoiseL
   return factors;
 }
 
-VectorXd outlierWeights(const Linearisation& linearisation, const NoiseLevels& noise,
+VectorXd outlierWeights(const Linearisation& linearisation, const NormalSums& sums, const NoiseLevels& noise,
                         const Eigen::SparseMatrix<double>& map, const MixedSolution& solution,
                         const VectorXd& rest, const VectorXd& weights, double outlier) {
   const ReadingSet& readings = linearisation.readings();
-  const Index p = map.cols();
+  const Eigen::SparseMatrix<double> transposed = map.transpose();
   VectorXd out = VectorXd::Ones(rest.size());
   for (std::size_t row = 0; row < readings.rows(); ++row) {
     const ReadingPlace& reading = readings.readings()[row];
@@ -93,13 +98,10 @@ VectorXd outlierWeights(const Linearisation& linearisation, const NoiseLevels& n
         std::max(noise.scale[group.noise] * reading.sigma, leastSigma(readings.classes()[group.noise]));
     const auto at = static_cast<Index>(row);
     const double size = std::abs(rest[at]) / sigma;
-    if (size < 0.5 * outlier) continue;
-    VectorXd a = VectorXd::Zero(solution.covariance.rows());
-    a.head(p) = map.transpose() * linearisation.row(row);
-    if (group.zero >= 0) a[p + group.zero] = 1.0;
-    const double spread = a.dot(solution.covariance * a) / (sigma * sigma);
-    // Inside the fit the rest lacks what the fit took of it, outside it has the fit's own uncertainty on top.
-    const double variance = weights[at] > 0.5 ? std::max(0.1, 1.0 - spread) : 1.0 + spread;
+    if (size < kSuspicious * outlier) continue;
+    const VectorXd a = transposed * linearisation.row(row);
+    const double fitted = fittedVariance(readings, sums, noise, solution, a, reading.group) / (sigma * sigma);
+    const double variance = weights[at] > 0.5 ? std::max(kLeastVariance, 1.0 - fitted) : 1.0 + fitted;
     if (size > outlier * std::sqrt(variance)) out[at] = 0.0;
   }
   return out;

@@ -21,19 +21,20 @@ struct RobustOptions {
 [[nodiscard]] std::vector<double> robustScales(const ReadingSet& readings, const VectorXd& rest,
                                                const std::vector<double>& freedom);
 
-/// 0 for readings whose rest, in its own standard deviation, exceeds `outlier`, else 1. A rest is smaller
-/// than its noise where few readings stand against many parameters; `map` and the covariance of the solution
-/// say by how much.
-[[nodiscard]] VectorXd outlierWeights(const Linearisation& linearisation, const NoiseLevels& noise,
-                                      const Eigen::SparseMatrix<double>& map, const MixedSolution& solution,
-                                      const VectorXd& rest, const VectorXd& weights, double outlier);
+/// 0 for readings whose rest, in its own standard deviation (fittedVariance), exceeds `outlier`, else 1.
+[[nodiscard]] VectorXd outlierWeights(const Linearisation& linearisation, const NormalSums& sums,
+                                      const NoiseLevels& noise, const Eigen::SparseMatrix<double>& map,
+                                      const MixedSolution& solution, const VectorXd& rest,
+                                      const VectorXd& weights, double outlier);
 
 /// By file: how far its readings scatter beside the level of their noise classes (1: as far as those). What
-/// the fit has taken of each reading is counted. 1 for files of fewer than `kFewReadings` readings.
+/// the fit has taken of each reading is counted. 1 for files with fewer than `kFewReadings` readings to
+/// spare.
 inline constexpr double kFewReadings = 12.0;
-[[nodiscard]] std::vector<double> fileFactors(const Linearisation& linearisation, const NoiseLevels& noise,
+[[nodiscard]] std::vector<double> fileFactors(const Linearisation& linearisation, const NormalSums& sums,
+                                              const NoiseLevels& noise,
                                               const Eigen::SparseMatrix<double>& map,
-                                              const MatrixXd& covariance, const VectorXd& rest,
+                                              const MixedSolution& solution, const VectorXd& rest,
                                               const VectorXd& weights);
 
 }  // namespace nineline::estimation

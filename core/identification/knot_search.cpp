@@ -86,10 +86,8 @@ bool isStated(const Measurement& file) {
 }
 
 /// Gives files without a stated repeatability their own; true when there was one.
-bool adaptFiles(const Linearisation& linearisation, const KnotSearch& search, ReadingSet& readings) {
-  const std::vector<double> factors =
-      estimation::fileFactors(linearisation, search.fit.noise, search.map, search.fit.covariance,
-                              search.fit.rest, search.fit.weights);
+bool adaptFiles(const KnotSearch& search, ReadingSet& readings) {
+  const std::vector<double>& factors = search.fit.file_factors;
   bool changed = false;
   for (std::size_t file = 0; file < factors.size(); ++file) {
     if (isStated(readings.files()[file]) || factors[file] == 1.0) continue;
@@ -191,10 +189,7 @@ class Search {
  private:
   /// The best fit once more, each file with the noise that it shows.
   Result<KnotSearch> withOwnScales() {
-    Linearisation linearisation(best_->parameters.unknowns, readings_);
-    const VectorXd at = best_->map * best_->fit.parameters;
-    if (Result<void> done = linearisation.at(at, true, progress_); !done) return done.error();
-    if (!adaptFiles(linearisation, *best_, readings_)) return std::move(*best_);
+    if (!adaptFiles(*best_, readings_)) return std::move(*best_);
     return fitAt(readings_, options_, best_->knot_levels, progress_);
   }
   Result<bool> tryAt(const std::vector<int>& levels) {
