@@ -57,7 +57,8 @@ int runCommandLine(int argc, const char* const* argv) {
   app.require_subcommand(1);
   const std::array commands{addMachinesCommand(app),   addThreadCommand(app),   addSimulateCommand(app),
                             addCompensateCommand(app), addIdentifyCommand(app), addEvaluateCommand(app),
-                            addPredictCommand(app),    addDiscoverCommand(app), addDemoCommand(app)};
+                            addPredictCommand(app),    addDiscoverCommand(app), addDemoCommand(app),
+                            addSmoothCommand(app)};
   for (CLI::App* command : app.get_subcommands({})) {
     command->fallthrough();
     command->footer("Common options: --json  --quiet  --threads N");

@@ -26,5 +26,6 @@ struct Command {
 [[nodiscard]] Command addPredictCommand(CLI::App& app);
 [[nodiscard]] Command addDiscoverCommand(CLI::App& app);
 [[nodiscard]] Command addDemoCommand(CLI::App& app);
+[[nodiscard]] Command addSmoothCommand(CLI::App& app);
 
 }  // namespace nineline::cli
