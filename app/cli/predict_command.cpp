@@ -12,6 +12,7 @@
 #include "core/errors/error_model_file.h"
 #include "core/measurement/measurement_file.h"
 #include "core/measurement/prediction.h"
+#include "core/measurement/run_checks.h"
 
 namespace nineline::cli {
 
@@ -81,7 +82,8 @@ ChannelFigures figuresOf(const Measurement& measurement, const Prediction& predi
   return figures;
 }
 
-Json recordOf(const Measurement& measurement, const Prediction& prediction) {
+Json recordOf(const Measurement& measurement, const Prediction& prediction,
+              const std::vector<measurement::RunFault>& faults) {
   Json channels = Json::array();
   for (std::size_t k = 0; k < measurement.channels.size(); ++k) {
     const ChannelFigures figures = figuresOf(measurement, prediction, k);
@@ -102,10 +104,18 @@ Json recordOf(const Measurement& measurement, const Prediction& prediction) {
   }
   Json warnings = Json::array();
   for (const Diagnostic& one : prediction.warnings.all()) warnings.push(one.text);
+  Json quality = Json::array();
+  for (const measurement::RunFault& fault : faults) {
+    Json entry = Json::object();
+    entry.set("text", fault.text).set("remedy", fault.remedy).set("file", measurement.source);
+    entry.set("rows", Json(Json::Array{Json(fault.first_row), Json(fault.last_row)}));
+    quality.push(std::move(entry));
+  }
   Json record = Json::object();
   record.set("instrument", measurement::nameOf(measurement.instrument.kind))
       .set("samples", measurement.samples.size())
       .set("channels", std::move(channels))
+      .set("data_quality", std::move(quality))
       .set("warnings", std::move(warnings));
   return record;
 }
@@ -122,6 +132,17 @@ std::string summaryOf(const Measurement& measurement, const Prediction& predicti
                               figures.largest, what.isAngular() ? "arcsec" : "um");
   }
   return text;
+}
+
+/// Mistakes noticed in runs, as warnings with the line of their first sample.
+std::vector<Diagnostic> findingsOf(const Measurement& measurement,
+                                   const std::vector<measurement::RunFault>& faults) {
+  Diagnostics findings;
+  for (const measurement::RunFault& fault : faults) {
+    findings.warning(fault.code, fault.text + " " + fault.remedy,
+                     measurement.samples[fault.first_row - 1].line);
+  }
+  return findings.all();
 }
 
 Result<void> runPredict(const PredictOptions& options, Console& console) {
@@ -147,7 +168,10 @@ Result<void> runPredict(const PredictOptions& options, Console& console) {
   if (Result<void> written = writeFile(options.out, text); !written) return written;
   console.diagnostics(reading.diagnostics.all(), options.measurement);
   console.diagnostics(prediction->warnings.all(), options.measurement);
-  console.result(recordOf(measured, *prediction), summaryOf(measured, *prediction, options.out));
+  const std::vector<measurement::RunFault> faults =
+      measurement::checkRuns(measured, model->machine(), &*prediction);
+  console.diagnostics(findingsOf(measured, faults), options.measurement);
+  console.result(recordOf(measured, *prediction, faults), summaryOf(measured, *prediction, options.out));
   return {};
 }
 
