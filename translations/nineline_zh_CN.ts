@@ -498,6 +498,18 @@ removed</source>
             <source>There is no result yet: start the compensation first.</source>
             <translation>还没有结果：请先开始补偿。</translation>
         </message>
+        <message>
+            <source>Load readings of the corrected machine to compare with the model.</source>
+            <translation>请载入已校正机床的读数，以便与模型比较。</translation>
+        </message>
+        <message>
+            <source>Start the search to see what the model lacks.</source>
+            <translation>开始搜索，查看模型缺少什么。</translation>
+        </message>
+        <message>
+            <source>The model or the readings have changed since this search.</source>
+            <translation>搜索之后模型或读数已更改。</translation>
+        </message>
     </context>
     <context>
         <name>nineline::pages::AxisPanel</name>
@@ -816,6 +828,14 @@ removed</source>
         <message>
             <source>Save error model</source>
             <translation>保存误差模型</translation>
+        </message>
+        <message>
+            <source>Errors</source>
+            <translation>误差</translation>
+        </message>
+        <message>
+            <source>Readings</source>
+            <translation>读数</translation>
         </message>
     </context>
     <context>
@@ -1300,6 +1320,10 @@ removed</source>
             <source>check</source>
             <translation>需检查</translation>
         </message>
+        <message>
+            <source>Model gap</source>
+            <translation>模型差距</translation>
+        </message>
     </context>
     <context>
         <name>options</name>
@@ -1600,6 +1624,290 @@ removed</source>
         <message>
             <source>Program number</source>
             <translation>程序号</translation>
+        </message>
+    </context>
+    <context>
+        <name>nineline::models::FoundEffectsModel</name>
+        <message>
+            <source>%1 (of the measurement, not of the machine)</source>
+            <translation>%1（属于测量，不属于机床）</translation>
+        </message>
+        <message>
+            <source>Missing effect</source>
+            <translation>缺少的效应</translation>
+        </message>
+        <message>
+            <source>Axis and error</source>
+            <translation>轴与误差</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>大小</translation>
+        </message>
+        <message>
+            <source>Confidence</source>
+            <translation>置信度</translation>
+        </message>
+        <message>
+            <source>Share of the gap</source>
+            <translation>占差距</translation>
+        </message>
+    </context>
+    <context>
+        <name>Gap</name>
+        <message>
+            <source>%1 (%2 % of the gap)</source>
+            <translation>%1（占差距的 %2 %）</translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>位置</translation>
+        </message>
+        <message>
+            <source>%1, rows %2 to %3: %4</source>
+            <translation>%1，第 %2 至 %3 行：%4</translation>
+        </message>
+        <message>
+            <source>Look at the data</source>
+            <translation>请检查数据</translation>
+        </message>
+        <message>
+            <source>Looks alike on these data</source>
+            <translation>在这些数据上看起来相同</translation>
+        </message>
+        <message>
+            <source>Suspected, not added</source>
+            <translation>有嫌疑，未加入</translation>
+        </message>
+        <message>
+            <source>Nothing is missing: what differs lies within the present parameters.</source>
+            <translation>没有缺少的效应：差异来自现有参数。</translation>
+        </message>
+        <message>
+            <source>Nothing is missing: no gap beyond the repeatability.</source>
+            <translation>没有缺少的效应：差距不超过重复精度。</translation>
+        </message>
+        <message>
+            <source>Named effects explain the gap.</source>
+            <translation>差距已由有名称的效应解释。</translation>
+        </message>
+        <message>
+            <source>Part of the gap has a name; a structured rest remains.</source>
+            <translation>部分差距已有名称；仍有规律性的剩余。</translation>
+        </message>
+        <message>
+            <source>Something is missing, and no known effect explains it.</source>
+            <translation>缺少某种效应，但没有已知效应能解释。</translation>
+        </message>
+        <message>
+            <source>present model</source>
+            <translation>现有模型</translation>
+        </message>
+        <message>
+            <source>On runs not seen by the search: %1 → %2 µm, repeatability %3 µm</source>
+            <translation>在搜索未见过的测量上：%1 → %2 µm，重复精度 %3 µm</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;%1 %&lt;/b&gt; of the gap closed</source>
+            <translation>差距已消除 &lt;b&gt;%1 %&lt;/b&gt;</translation>
+        </message>
+        <message>
+            <source>Next measurement</source>
+            <translation>下一步测量</translation>
+        </message>
+    </context>
+    <context>
+        <name>nineline::pages::GapChart</name>
+        <message>
+            <source>Save picture…</source>
+            <translation>保存图片…</translation>
+        </message>
+        <message>
+            <source>Reading − model:</source>
+            <translation>读数 − 模型：</translation>
+        </message>
+        <message>
+            <source>over</source>
+            <translation>对</translation>
+        </message>
+        <message>
+            <source>before</source>
+            <translation>之前</translation>
+        </message>
+        <message>
+            <source>after</source>
+            <translation>之后</translation>
+        </message>
+    </context>
+    <context>
+        <name>nineline::pages::GapPage</name>
+        <message>
+            <source>Compare readings of the machine with the model: where they disagree, what is missing, and what is left once it is added.</source>
+            <translation>将机床读数与模型比较：哪里不一致，缺少什么，加入后还剩多少。</translation>
+        </message>
+        <message>
+            <source>Save picture</source>
+            <translation>保存图片</translation>
+        </message>
+        <message>
+            <source>Pictures (*.png)</source>
+            <translation>图片 (*.png)</translation>
+        </message>
+        <message>
+            <source>Readings</source>
+            <translation>读数</translation>
+        </message>
+        <message>
+            <source>Search for missing effects</source>
+            <translation>搜索缺少的效应</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Add to model</source>
+            <translation>加入模型</translation>
+        </message>
+        <message>
+            <source>Model gap</source>
+            <translation>模型差距</translation>
+        </message>
+        <message>
+            <source>Searching…</source>
+            <translation>正在搜索…</translation>
+        </message>
+        <message>
+            <source>Cancelled. Nothing was changed.</source>
+            <translation>已取消，没有任何更改。</translation>
+        </message>
+        <message>
+            <source>Add found effects to the model</source>
+            <translation>将找到的效应加入模型</translation>
+        </message>
+    </context>
+    <context>
+        <name>nineline::pages::ReadingsList</name>
+        <message>
+            <source>Add readings…</source>
+            <translation>添加读数…</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>移除</translation>
+        </message>
+        <message>
+            <source>Add readings</source>
+            <translation>添加读数</translation>
+        </message>
+        <message>
+            <source>Measurements (*.csv *.txt *.tsv);;All files (*)</source>
+            <translation>测量文件 (*.csv *.txt *.tsv);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Remove readings</source>
+            <translation>移除读数</translation>
+        </message>
+    </context>
+    <context>
+        <name>nineline::models::ReadingsModel</name>
+        <message>
+            <source>tool deviation</source>
+            <translation>刀具偏差</translation>
+        </message>
+        <message>
+            <source>encoder on one axis</source>
+            <translation>单轴编码器</translation>
+        </message>
+        <message>
+            <source>laser, positioning</source>
+            <translation>激光，定位</translation>
+        </message>
+        <message>
+            <source>laser, straightness</source>
+            <translation>激光，直线度</translation>
+        </message>
+        <message>
+            <source>laser, angle</source>
+            <translation>激光，角度</translation>
+        </message>
+        <message>
+            <source>ballbar</source>
+            <translation>球杆仪</translation>
+        </message>
+        <message>
+            <source>lead tester</source>
+            <translation>导程仪</translation>
+        </message>
+        <message>
+            <source>dial gauge</source>
+            <translation>千分表</translation>
+        </message>
+        <message>
+            <source>cannot be used</source>
+            <translation>不能使用</translation>
+        </message>
+        <message>
+            <source>ready</source>
+            <translation>就绪</translation>
+        </message>
+        <message>
+            <source>notes: %1</source>
+            <translation>提示：%1</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>文件</translation>
+        </message>
+        <message>
+            <source>Instrument</source>
+            <translation>仪器</translation>
+        </message>
+        <message>
+            <source>Axis</source>
+            <translation>轴</translation>
+        </message>
+        <message>
+            <source>Runs</source>
+            <translation>次数</translation>
+        </message>
+        <message>
+            <source>Readings</source>
+            <translation>读数</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状态</translation>
+        </message>
+    </context>
+    <context>
+        <name>nineline::pages::ReadingsPanel</name>
+        <message>
+            <source>Readings</source>
+            <translation>读数</translation>
+        </message>
+        <message>
+            <source>over</source>
+            <translation>对</translation>
+        </message>
+        <message>
+            <source>The file was read without a doubt.</source>
+            <translation>文件已读入，没有疑问。</translation>
+        </message>
+    </context>
+    <context>
+        <name>catalogue</name>
+        <message>
+            <source>Cause:</source>
+            <translation>原因：</translation>
+        </message>
+        <message>
+            <source>Usual size:</source>
+            <translation>常见大小：</translation>
+        </message>
+        <message>
+            <source>Remedy:</source>
+            <translation>处理：</translation>
         </message>
     </context>
 </TS>

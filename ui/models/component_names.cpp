@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "ui/models/catalogue_texts.h"
+
 namespace nineline::models {
 
 namespace {
@@ -126,6 +128,7 @@ QString effectName(const std::string& id) {
   for (const Name& name : kNames) {
     if (id == name.id) return translated(name.text);
   }
+  if (const errors::EffectSpec* spec = errors::findEffectSpec(id)) return catalogueText(spec->title);
   return QString::fromStdString(id);
 }
 

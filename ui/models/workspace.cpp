@@ -29,15 +29,27 @@ void Workspace::setDocument(Document document) {
 void Workspace::refresh(const Changes& changes) {
   if (changes.machine) machine_ = kinematics::readMachine(document_.machine_text, "");
   if (changes.machine || changes.effects) model_ = modelOf(document_);
+  if (changes.machine || changes.readings) loadReadings();
   if (changes.machine || changes.program || changes.setup) preview_delay_.start();
   if (changes.machine) emit machineChanged();
   if (changes.effects) emit effectsChanged();
-  if (changes.readings) emit readingsChanged();
+  if (changes.machine || changes.readings) emit readingsChanged();
   if (changes.program) emit programChanged();
   if (changes.thread) emit threadChanged();
   if (changes.setup) emit setupChanged();
   if (changes.options) emit optionsChanged();
   emit changed();
+}
+
+void Workspace::loadReadings() {
+  readings_.clear();
+  for (const ReadingsFile& file : document_.readings) {
+    measurement::MeasurementReadOptions options;
+    options.machine = machine_ ? &*machine_ : nullptr;
+    options.allow_stand_in = !machine_;
+    measurement::MeasurementReading reading = measurement::readMeasurement(*file.text, file.name, options);
+    readings_.push_back({file.name, std::move(reading.measurement), std::move(reading.diagnostics)});
+  }
 }
 
 void Workspace::startPreview() {
@@ -73,6 +85,18 @@ bool Workspace::isOutcomeStale() const {
   return changes.machine || changes.effects || changes.program || changes.setup || changes.options;
 }
 
+void Workspace::setGap(jobs::GapOutcomePtr gap, const Document& of) {
+  gap_ = std::move(gap);
+  gap_document_ = of;
+  emit gapChanged();
+  emit changed();
+}
+
+bool Workspace::isGapStale() const {
+  const Changes changes = differences(gap_document_, document_);
+  return changes.machine || changes.effects || changes.readings;
+}
+
 StepState Workspace::state(Step step) const {
   switch (step) {
     case Step::Machine:
@@ -86,6 +110,9 @@ StepState Workspace::state(Step step) const {
     case Step::Program:
       if (document_.program == nullptr) return StepState::Missing;
       return preview_ && preview_->error ? StepState::Faulty : StepState::Ready;
+    case Step::ModelGap:
+      if (gap_ == nullptr) return StepState::Missing;
+      return isGapStale() ? StepState::Stale : StepState::Ready;
     case Step::Compensate:
     case Step::Results:
     case Step::Export:
@@ -107,6 +134,10 @@ QString Workspace::explanation(Step step) const {
     case Step::Program:
       if (document_.program == nullptr) return tr("Open an NC program or generate a thread.");
       return preview_ && preview_->error ? messageOf(*preview_->error) : QString();
+    case Step::ModelGap:
+      if (readings_.empty()) return tr("Load readings of the corrected machine to compare with the model.");
+      if (gap_ == nullptr) return tr("Start the search to see what the model lacks.");
+      return isGapStale() ? tr("The model or the readings have changed since this search.") : QString();
     case Step::Compensate:
       if (state(step) == StepState::Stale) {
         return tr("Something has changed since this result was computed: start the compensation again.");

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QTabWidget>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -15,6 +16,7 @@
 #include "ui/models/effect_entries.h"
 #include "ui/pages/effects_editor.h"
 #include "ui/pages/location_editor.h"
+#include "ui/pages/readings_panel.h"
 #include "ui/pages/table_editor.h"
 
 namespace nineline::pages {
@@ -29,7 +31,9 @@ MeasurementsPage::MeasurementsPage(Context context, QWidget* parent)
       fault_(new QLabel(this)) {
   auto* layout = new QVBoxLayout(body());
   layout->setContentsMargins(0, 0, 0, 0);
-  auto* splitter = new QSplitter(body());
+  auto* tabs = new QTabWidget(body());
+  tabs->setObjectName(QStringLiteral("measurementTabs"));
+  auto* splitter = new QSplitter(tabs);
   splitter->addWidget(makeTree());
   editors_ = new QStackedWidget(splitter);
   editors_->addWidget(table_ = new TableEditor(this));
@@ -38,7 +42,9 @@ MeasurementsPage::MeasurementsPage(Context context, QWidget* parent)
   splitter->addWidget(editors_);
   splitter->setStretchFactor(1, 1);
   splitter->setSizes({390, 860});
-  layout->addWidget(splitter, 1);
+  tabs->addTab(splitter, tr("Errors"));
+  tabs->addTab(makeReadings(), tr("Readings"));
+  layout->addWidget(tabs, 1);
   fault_->setObjectName(QStringLiteral("fault"));
   fault_->setWordWrap(true);
   layout->addWidget(fault_);
@@ -51,6 +57,18 @@ MeasurementsPage::MeasurementsPage(Context context, QWidget* parent)
   connect(&workspace(), &models::Workspace::machineChanged, this, &MeasurementsPage::refreshMachine);
   connect(&workspace(), &models::Workspace::effectsChanged, this, &MeasurementsPage::refreshEffects);
   refreshMachine();
+}
+
+QWidget* MeasurementsPage::makeReadings() {
+  auto* panel = new ReadingsPanel(workspace(), this);
+  connect(panel, &ReadingsPanel::readingsEdited, this, [this](const QString& text, const auto& readings) {
+    models::Document next = document();
+    next.readings = readings;
+    edit(text, std::move(next));
+  });
+  connect(panel, &ReadingsPanel::failed, this,
+          [this](const Error& error) { showError(tr("Readings"), error); });
+  return panel;
 }
 
 QWidget* MeasurementsPage::makeTree() {

@@ -22,6 +22,7 @@ class MeasurementsPage : public Page {
 
  private:
   QWidget* makeTree();
+  QWidget* makeReadings();
   void refreshMachine();
   void refreshEffects();
   void choose(const QModelIndex& index);

@@ -21,6 +21,8 @@ constexpr int kLabelSize = 13;
 constexpr int kOuterBorder = 36;
 constexpr float kLineWidth = 2.0F;
 constexpr float kNodeSize = 8.0F;
+constexpr float kDotSize = 6.0F;  // of many
+constexpr std::size_t kManyNodes = 40;
 constexpr unsigned char kGridShade = 225;
 
 unsigned char byteOf(double part) { return static_cast<unsigned char>(part * 255.0 + 0.5); }
@@ -78,7 +80,7 @@ void CurveChart::show(const ChartData& data) {
     plot->SetWidth(kLineWidth);
     if (auto* points = vtkPlotPoints::SafeDownCast(plot); points != nullptr && !line) {
       points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
-      points->SetMarkerSize(kNodeSize);
+      points->SetMarkerSize(series.x.size() > kManyNodes ? kDotSize : kNodeSize);
     }
   }
   chart_->RecalculateBounds();

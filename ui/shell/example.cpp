@@ -50,6 +50,12 @@ Result<models::Document> workedExample() {
   if (!program) return program.error();
   document.program_name = "thread.nc";
   document.program = std::make_shared<const std::string>(std::move(program->text));
+  // What the instruments read on this machine: there is something that the model does not know.
+  for (const char* name : {"gap-laser-z.csv", "gap-laser-x.csv", "gap-lead.csv"}) {
+    Result<std::string> text = resource(QStringLiteral(":/examples/") + QLatin1String(name));
+    if (!text) return text.error();
+    document.readings.push_back({name, std::make_shared<const std::string>(std::move(*text))});
+  }
   return document;
 }
 

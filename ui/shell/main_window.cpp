@@ -10,6 +10,7 @@
 #include "ui/models/messages.h"
 #include "ui/pages/compensate_page.h"
 #include "ui/pages/export_page.h"
+#include "ui/pages/gap_page.h"
 #include "ui/pages/machine_page.h"
 #include "ui/pages/measurements_page.h"
 #include "ui/pages/program_page.h"
@@ -70,10 +71,12 @@ void MainWindow::buildPages() {
   layout->addWidget(pages_, 1);
   const pages::Context context{&workspace_, &edits_};
   compensate_ = new pages::CompensatePage(context, pages_);
+  gap_ = new pages::GapPage(context, pages_);
   const std::initializer_list<pages::Page*> all = {
       new pages::MachinePage(context, pages_), new pages::MeasurementsPage(context, pages_),
       new pages::ProgramPage(context, pages_), compensate_,
-      new pages::ResultsPage(context, pages_), new pages::ExportPage(context, pages_)};
+      new pages::ResultsPage(context, pages_), gap_,
+      new pages::ExportPage(context, pages_)};
   for (pages::Page* page : all) {
     pages_->addWidget(page);
     connect(page, &pages::Page::stepWanted, this, &MainWindow::goTo);
@@ -102,6 +105,8 @@ void MainWindow::setLanguage(const QString& code) {
 }
 
 void MainWindow::startCompensation() { compensate_->start(); }
+
+void MainWindow::startGapSearch() { gap_->start(); }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!mayLeave()) return event->ignore();

@@ -14,7 +14,8 @@ class QStackedWidget;
 
 namespace nineline::pages {
 class CompensatePage;
-}
+class GapPage;
+}  // namespace nineline::pages
 namespace nineline::widgets {
 class StepBar;
 }
@@ -37,6 +38,7 @@ class MainWindow : public QMainWindow {
   void goTo(models::Step step);
   void setLanguage(const QString& code);
   void startCompensation();
+  void startGapSearch();
   [[nodiscard]] models::Workspace& workspace() { return workspace_; }
   [[nodiscard]] widgets::Edits& edits() { return edits_; }
   /// Saves the document beside the settings, after a mistake of the program; says where.
@@ -82,6 +84,7 @@ class MainWindow : public QMainWindow {
   widgets::StepBar* steps_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   pages::CompensatePage* compensate_ = nullptr;
+  pages::GapPage* gap_ = nullptr;
   models::Step step_ = models::Step::Machine;
 };
 

@@ -23,6 +23,7 @@ QString filter() { return MainWindow::tr("Nineline projects (*.nineline)"); }
 
 void MainWindow::take(models::Document document) {
   workspace_.setOutcome(nullptr, {});
+  workspace_.setGap(nullptr, {});
   edits_.stack().clear();
   workspace_.setDocument(std::move(document));
   edits_.stack().setClean();

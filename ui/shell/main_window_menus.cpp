@@ -5,6 +5,7 @@
 #include <QSettings>
 
 #include "ui/shell/main_window.h"
+#include "ui/widgets/step_bar.h"
 
 namespace nineline::shell {
 
@@ -65,11 +66,10 @@ void MainWindow::buildEditMenu() {
 
 void MainWindow::buildViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
-  const QStringList names = {tr("Machine"),    tr("Measurements"), tr("Program"),
-                             tr("Compensate"), tr("Results"),      tr("Export")};
   for (int i = 0; i < models::kStepCount; ++i) {
-    connect(menu->addAction(names[i]), &QAction::triggered, this,
-            [this, i]() { goTo(static_cast<models::Step>(i)); });
+    const auto step = static_cast<models::Step>(i);
+    connect(menu->addAction(widgets::StepBar::nameOf(step)), &QAction::triggered, this,
+            [this, step]() { goTo(step); });
   }
   menu->addSeparator();
   QAction* full = menu->addAction(tr("Full screen"));

@@ -58,7 +58,10 @@ void shoot(MainWindow* window, const QString& folder, int step) {
 void takeScreenshots(MainWindow* window, const QString& folder) {
   QDir().mkpath(folder);
   QObject::connect(&window->workspace(), &models::Workspace::outcomeChanged, window, [window, folder]() {
-    if (window->workspace().outcome() != nullptr) shoot(window, folder, 0);
+    if (window->workspace().outcome() != nullptr) window->startGapSearch();
+  });
+  QObject::connect(&window->workspace(), &models::Workspace::gapChanged, window, [window, folder]() {
+    if (window->workspace().gap() != nullptr) shoot(window, folder, 0);
   });
   QTimer::singleShot(kSettle_ms, window, [window]() { window->startCompensation(); });
 }

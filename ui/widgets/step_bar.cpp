@@ -13,25 +13,7 @@ namespace {
 using models::Step;
 using models::StepState;
 
-constexpr int kIconSize = 22;
-
-QString nameOf(int step) {
-  switch (static_cast<Step>(step)) {
-    case Step::Machine:
-      return StepBar::tr("Machine");
-    case Step::Measurements:
-      return StepBar::tr("Measurements");
-    case Step::Program:
-      return StepBar::tr("Program");
-    case Step::Compensate:
-      return StepBar::tr("Compensate");
-    case Step::Results:
-      return StepBar::tr("Results");
-    case Step::Export:
-      return StepBar::tr("Export");
-  }
-  return {};
-}
+constexpr int kIconSize = 18;
 
 QString wordFor(StepState state) {
   switch (state) {
@@ -63,12 +45,32 @@ QIcon iconFor(StepState state) {
 
 }  // namespace
 
+QString StepBar::nameOf(Step step) {
+  switch (step) {
+    case Step::Machine:
+      return tr("Machine");
+    case Step::Measurements:
+      return tr("Measurements");
+    case Step::Program:
+      return tr("Program");
+    case Step::Compensate:
+      return tr("Compensate");
+    case Step::Results:
+      return tr("Results");
+    case Step::ModelGap:
+      return tr("Model gap");
+    case Step::Export:
+      return tr("Export");
+  }
+  return {};
+}
+
 StepBar::StepBar(QWidget* parent) : QWidget(parent), group_(new QButtonGroup(this)) {
   setObjectName(QStringLiteral("stepBar"));
   setAttribute(Qt::WA_StyledBackground);
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 6, 8, 6);
-  layout->setSpacing(4);
+  layout->setContentsMargins(4, 6, 4, 6);
+  layout->setSpacing(2);
   group_->setExclusive(true);
   for (int i = 0; i < models::kStepCount; ++i) {
     auto* button = new QToolButton(this);
@@ -92,10 +94,10 @@ void StepBar::setState(Step step, StepState state, const QString& explanation) {
   QToolButton* button = buttons_[static_cast<std::size_t>(i)];
   button->setIcon(iconFor(state));
   const QKeySequence shortcut = button->shortcut();
-  button->setText(QStringLiteral(" %1  %2\n %3").arg(i + 1).arg(nameOf(i), wordFor(state)));
+  button->setText(QStringLiteral(" %1  %2\n %3").arg(i + 1).arg(nameOf(step), wordFor(state)));
   button->setShortcut(shortcut);
   button->setToolTip(explanation.isEmpty() ? wordFor(state) : explanation);
-  button->setAccessibleName(nameOf(i));
+  button->setAccessibleName(nameOf(step));
   button->setAccessibleDescription(wordFor(state));
 }
 

@@ -16,6 +16,8 @@ class StepBar : public QWidget {
 
  public:
   explicit StepBar(QWidget* parent = nullptr);
+  /// The name of a step in the present language.
+  [[nodiscard]] static QString nameOf(models::Step step);
   void setState(models::Step step, models::StepState state, const QString& explanation);
   void setCurrent(models::Step step);
 
