@@ -26,6 +26,7 @@ using models::StepState;
 namespace {
 
 constexpr int kCompensation_ms = 120000;
+constexpr int kGapSearch_ms = 120000;
 constexpr double kLeftAtMost = 0.02;  // of the RMS, at the 1 µm words of the example's program
 
 template <typename T>
@@ -110,6 +111,30 @@ class TestWindow : public QObject {
     window_->goTo(Step::Export);
     const auto* difference = child<QTableView>(*window_, "differenceTable");
     QVERIFY(difference->model()->rowCount() > 1000);
+  }
+
+  void theGapIsNamedAddedAndTakenBack() {
+    window_->goTo(Step::ModelGap);
+    QSignalSpy done(&window_->workspace(), &models::Workspace::gapChanged);
+    window_->startGapSearch();
+    QVERIFY(done.wait(kGapSearch_ms));
+    const auto gap = window_->workspace().gap();
+    QVERIFY(gap != nullptr);
+    QStringList found;
+    for (const auto& effect : gap->report.effects) {
+      found << QString::fromStdString(effect.effect + " " + effect.joint);
+    }
+    found.sort();
+    QCOMPARE(found, QStringList({QStringLiteral("backlash X"), QStringLiteral("thermal_screw Z")}));
+    QCOMPARE(child<QTableView>(*window_, "foundEffects")->model()->rowCount(), 2);
+    QVERIFY(gap->stages.back().rms_in_sigma < 0.3 * gap->stages.front().rms_in_sigma);
+    const std::size_t before = window_->workspace().document().effects.items()->size();
+    QTest::mouseClick(child<QPushButton>(*window_, "addToModel"), Qt::LeftButton);
+    QCOMPARE(window_->workspace().document().effects.items()->size(), before + 2);
+    QCOMPARE(window_->workspace().state(Step::ModelGap), StepState::Stale);
+    window_->edits().stack().undo();
+    QCOMPARE(window_->workspace().document().effects.items()->size(), before);
+    QCOMPARE(window_->workspace().state(Step::ModelGap), StepState::Ready);
   }
 
   void typingIntoTheTableMakesTheResultStaleAndUndoBringsItBack() {
