@@ -5,12 +5,12 @@
 
 namespace nineline::smoothing {
 
-/// Gathers the jumps of second differences of every axis at the programmed points, as programmed and as
-/// smoothed, over the chord lengths of the programmed points.
+/// Gathers the jumps of second differences of every axis, as programmed (axes in step from point to point)
+/// and as smoothed, at the same places of the chord length.
 class JumpStatistics {
  public:
   explicit JumpStatistics(const Machine& machine);
-  /// Points of one curve: chord lengths, axis values as programmed and on the curve.
+  /// Samples of one curve: places, axis values as programmed and on the curve.
   void add(const std::vector<double>& lengths, const std::vector<nc::AxisValues>& before,
            const std::vector<nc::AxisValues>& after);
   [[nodiscard]] std::vector<AxisJumps> result() const;

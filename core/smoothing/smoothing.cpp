@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kFitShareStraight = 0.6;  // of the tolerance; the rest is for chords and digits
 constexpr double kFitShareSpline = 0.9;
+constexpr int kSamplesPerChord = 4;
 constexpr int kLeastLinearDecimals = 4;
 constexpr int kLeastRotaryDecimals = 5;
 
@@ -140,6 +141,7 @@ class Smoother {
     const std::size_t to_line = points[context.piece.last].line;
     ++segment_;
     if (!context.piece.fitted) {
+      if (context.piece.last - context.piece.first > 2) warnUnfitted(from_line + 1);
       copyLines(to_line);
       showPoints(context);
       return;
@@ -167,17 +169,36 @@ class Smoother {
     report_.max_turn_error = std::max(report_.max_turn_error, fitted.errors.turn);
     report_.bound = std::max(report_.bound, fitted.errors.bound + written.bound);
     report_.turn_bound = std::max(report_.turn_bound, fitted.errors.turn_bound + written.turn_bound);
+    compare(context);
+  }
+
+  /// Samples the programmed and the smooth motion of each axis, several places for each programmed point.
+  void compare(const PieceContext& context) {
+    const FittedCurve& fitted = *context.piece.fitted;
+    std::vector<double> places;
     std::vector<nc::AxisValues> before;
     std::vector<nc::AxisValues> after;
     for (std::size_t j = 0; j < fitted.parameters.size(); ++j) {
-      const PathPoint& point = context.section.points[context.piece.first + j];
-      before.push_back(point.values);
-      const CurvePoint place = fitted.curve.at(fitted.parameters[j]);
-      const Result<nc::AxisValues> values = context.motion.valuesAt(place, point.values);
-      after.push_back(values ? *values : point.values);
-      if (sink_) sink_({segment_, true, after.back(), place.head<3>()});
+      const nc::AxisValues& start = context.section.points[context.piece.first + j].values;
+      const bool is_last = j + 1 == fitted.parameters.size();
+      for (int part = 0; part < (is_last ? 1 : kSamplesPerChord); ++part) {
+        const double share = static_cast<double>(part) / kSamplesPerChord;
+        nc::AxisValues values = start;
+        double u = fitted.parameters[j];
+        if (part > 0) {
+          u += share * (fitted.parameters[j + 1] - u);
+          const nc::AxisValues& end = context.section.points[context.piece.first + j + 1].values;
+          for (std::size_t k = 0; k < values.size(); ++k) values[k] += share * (end[k] - start[k]);
+        }
+        const CurvePoint point = fitted.curve.at(u);
+        const Result<nc::AxisValues> smooth = context.motion.valuesAt(point, values);
+        places.push_back(u);
+        before.push_back(values);
+        after.push_back(smooth ? *smooth : values);
+        if (sink_ && part == 0) sink_({segment_, true, after.back(), point.head<3>()});
+      }
     }
-    jumps_.add(fitted.parameters, before, after);
+    jumps_.add(places, before, after);
   }
 
   void showPoints(const PieceContext& context) const {
@@ -189,6 +210,16 @@ class Smoother {
   /// Copies what is left of the program up to this line, byte for byte.
   void copyLines(std::size_t last) {
     for (; next_line_ < std::min(last, lines_.size()); ++next_line_) text_ += lines_[next_line_];
+  }
+
+  void warnUnfitted(std::size_t line) {
+    report_.diagnostics.countedWarning(
+        "smoothing.unfitted",
+        options_.criterion == Criterion::Polyline
+            ? "No smooth curve stays so near to the straight lines: they bulge by more than the tolerance "
+              "allows. These lines stay as programmed; --criterion points refers to the points."
+            : "No smooth curve meets the tolerance here. These lines stay as programmed.",
+        line);
   }
 
   void warn(const Error& error, std::size_t line) {

@@ -71,14 +71,6 @@ BSpline wordCurve(const PieceContext& context, const std::vector<nc::AxisValues>
   return {context.piece.fitted->curve.knots(), std::move(rows)};
 }
 
-std::vector<int> axesOf(const PieceContext& context) {
-  std::vector<int> axes;
-  for (int i = 0; i < context.writer.axes().count; ++i) {
-    if (nc::contains(context.writer.mask(), i)) axes.push_back(i);
-  }
-  return axes;
-}
-
 /// Writes the polynomial blocks of one curve in words.
 class PolynomialText {
  public:
@@ -193,7 +185,7 @@ Result<PieceText> writeBspline(const PieceContext& context) {
 Result<PieceText> writePolynomials(const PieceContext& context) {
   const Result<std::vector<nc::AxisValues>> values = controlValues(context);
   if (!values) return values.error();
-  const std::vector<int> axes = axesOf(context);
+  const std::vector<int> axes = context.writer.wordOrder();
   return checked(context, PolynomialText(context, axes, wordCurve(context, *values, axes)).run());
 }
 

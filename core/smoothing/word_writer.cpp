@@ -1,6 +1,8 @@
 #include "core/smoothing/word_writer.h"
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "core/base/contract.h"
 
@@ -36,10 +38,23 @@ void WordWriter::appendNumber(std::string& out, double value, int decimals) cons
   out.append(number.data(), size);
 }
 
+std::vector<int> WordWriter::wordOrder() const {
+  constexpr std::string_view kOrder = "XYZUVWABC";
+  const auto rank = [this](int i) {
+    const AxisId& axis = axes_->axes[static_cast<std::size_t>(i)].id;
+    return std::pair(kOrder.find(axis.letter), axis.digit);
+  };
+  std::vector<int> order;
+  for (int i = 0; i < axes_->count; ++i) {
+    if (nc::contains(mask_, i)) order.push_back(i);
+  }
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
+  return order;
+}
+
 void WordWriter::appendWords(std::string& out, const nc::AxisValues& values) const {
   const nc::AxisValues words = wordsOf(values);
-  for (int i = 0; i < axes_->count; ++i) {
-    if (!nc::contains(mask_, i)) continue;
+  for (const int i : wordOrder()) {
     const AxisId& axis = axes_->axes[static_cast<std::size_t>(i)].id;
     out += ' ';
     out += axis.text();

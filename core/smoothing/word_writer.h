@@ -19,6 +19,8 @@ class WordWriter {
   [[nodiscard]] nc::AxisValues rounded(const nc::AxisValues& values) const;
   /// Words of values, unrounded.
   [[nodiscard]] nc::AxisValues wordsOf(const nc::AxisValues& values) const;
+  /// The axes that get words, in the order in which programs name them: X Y Z U V W A B C.
+  [[nodiscard]] std::vector<int> wordOrder() const;
   /// " X1.5 Y2." of values.
   void appendWords(std::string& out, const nc::AxisValues& values) const;
   void appendNumber(std::string& out, double value, int decimals) const;
