@@ -39,7 +39,7 @@ void WordWriter::appendNumber(std::string& out, double value, int decimals) cons
 }
 
 std::vector<int> WordWriter::wordOrder() const {
-  constexpr std::string_view kOrder = "XYZUVWABC";
+  static constexpr std::string_view kOrder = "XYZUVWABC";
   const auto rank = [this](int i) {
     const AxisId& axis = axes_->axes[static_cast<std::size_t>(i)].id;
     return std::pair(kOrder.find(axis.letter), axis.digit);
