@@ -64,7 +64,11 @@ class Smoother {
     for (const auto& [from, to] : runs(section)) {
       const auto first = static_cast<Eigen::Index>(from);
       const auto count = static_cast<Eigen::Index>(to - from + 1);
-      for (PathPiece& piece : fitPath(rows.middleRows(first, count), fitTolerances())) {
+      std::vector<PathPiece> pieces = fitPath(rows.middleRows(first, count), fitTolerances());
+      const bool none = std::none_of(pieces.begin(), pieces.end(),
+                                     [](const PathPiece& piece) { return piece.fitted.has_value(); });
+      if (none && count > 3) warnUnfitted(section.points[from + 1].line);
+      for (PathPiece& piece : pieces) {
         piece.first += from;
         piece.last += from;
         addPiece({section, piece, *motion, writer, options_.tolerance, options_.turn_tolerance});
@@ -141,7 +145,6 @@ class Smoother {
     const std::size_t to_line = points[context.piece.last].line;
     ++segment_;
     if (!context.piece.fitted) {
-      if (context.piece.last - context.piece.first > 2) warnUnfitted(from_line + 1);
       copyLines(to_line);
       showPoints(context);
       return;
