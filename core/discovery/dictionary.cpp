@@ -100,6 +100,9 @@ Dictionary::Dictionary(const NoiseModel& model, const Noise& noise, const FixedP
   target_fixed_ = fixed_.transpose() * target_;
   fixed_factor_.triangularView<Eigen::Lower>().solveInPlace(target_fixed_);
   target_square_ = target_.squaredNorm() - target_fixed_.squaredNorm();
+  VectorXd coefficients = target_fixed_;
+  fixed_factor_.transpose().triangularView<Eigen::Upper>().solveInPlace(coefficients);
+  projected_target_ = target_ - fixed_ * coefficients;
   appendAll();
 }
 
@@ -430,22 +433,22 @@ MatrixXd Dictionary::whitenedColumns(const OptionSet& set) const {
   return result;
 }
 
-MatrixXd Dictionary::projectedColumns(const OptionSet& set) const {
-  const std::vector<Index> columns = columnsOf(set);
-  MatrixXd coefficients(fixed_.cols(), static_cast<Index>(columns.size()));
-  for (Index i = 0; i < coefficients.cols(); ++i) {
-    coefficients.col(i) = cross_.col(columns[static_cast<std::size_t>(i)]);
-  }
+const VectorXd& Dictionary::projectedColumn(Index column) const {
+  VectorXd& projected = projected_[column];
+  if (projected.size() != 0) return projected;
+  VectorXd coefficients = cross_.col(column);
   fixed_factor_.transpose().triangularView<Eigen::Upper>().solveInPlace(coefficients);
-  MatrixXd result = whitenedColumns(set);
-  for (Index i = 0; i < result.cols(); ++i) result.col(i) -= fixed_ * coefficients.col(i);
-  return result;
+  projected = white_.col(column) - fixed_ * coefficients;
+  return projected;
 }
 
-VectorXd Dictionary::projectedTarget() const {
-  VectorXd coefficients = target_fixed_;
-  fixed_factor_.transpose().triangularView<Eigen::Upper>().solveInPlace(coefficients);
-  return target_ - fixed_ * coefficients;
+MatrixXd Dictionary::projectedColumns(const OptionSet& set) const {
+  const std::vector<Index> columns = columnsOf(set);
+  MatrixXd result(white_.rows(), static_cast<Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    result.col(static_cast<Index>(i)) = projectedColumn(columns[i]);
+  }
+  return result;
 }
 
 VectorXd Dictionary::whitenedResidual(const OptionSet& set) const {

@@ -91,7 +91,7 @@ class Dictionary {
   [[nodiscard]] const VectorXd& whitenedTarget() const { return target_; }
   /// Whitened columns of the set, and the whitened target, less what the fixed part makes of them.
   [[nodiscard]] Eigen::MatrixXd projectedColumns(const OptionSet& set) const;
-  [[nodiscard]] VectorXd projectedTarget() const;
+  [[nodiscard]] const VectorXd& projectedTarget() const { return projected_target_; }
   [[nodiscard]] auto whitenedColumns(std::size_t option) const {
     return white_.middleCols(ranges_[option].first, ranges_[option].count);
   }
@@ -122,6 +122,7 @@ class Dictionary {
   [[nodiscard]] std::vector<Index> columnsOf(const OptionSet& set) const;
   [[nodiscard]] const VectorXd& gramRow(Index column) const;
   [[nodiscard]] double gramEntry(Index a, Index b) const;
+  [[nodiscard]] const VectorXd& projectedColumn(Index column) const;
   [[nodiscard]] Sweep sweep(const OptionSet& set) const;
   [[nodiscard]] double optionGain(std::size_t option, const Sweep& sweep) const;
   [[nodiscard]] double blockGain(Eigen::MatrixXd block, const VectorXd& target, const VectorXd& own,
@@ -135,12 +136,13 @@ class Dictionary {
   VectorXd precision_;
   Eigen::MatrixXd fixed_factor_;  // lower Cholesky factor of the fixed part's normal matrix
   VectorXd target_;               // whitened residual
-  VectorXd target_fixed_;         // L⁻¹ Jᵀ r
-  double target_square_ = 0.0;    // of the residual, fixed part projected out
-  Eigen::MatrixXd white_;         // whitened columns
-  Eigen::MatrixXd cross_;         // L⁻¹ Jᵀ D
-  VectorXd diagonal_;             // Gram diagonal, coefficient priors included
-  VectorXd inner_;                // inner products with the residual
+  VectorXd projected_target_;
+  VectorXd target_fixed_;       // L⁻¹ Jᵀ r
+  double target_square_ = 0.0;  // of the residual, fixed part projected out
+  Eigen::MatrixXd white_;       // whitened columns
+  Eigen::MatrixXd cross_;       // L⁻¹ Jᵀ D
+  VectorXd diagonal_;           // Gram diagonal, coefficient priors included
+  VectorXd inner_;              // inner products with the residual
   Index used_ = 0;
   std::vector<Range> ranges_;
   std::vector<Eigen::MatrixXd> blocks_;  // Gram blocks of each option
@@ -148,6 +150,7 @@ class Dictionary {
   std::vector<bool> testable_;
   mutable std::map<Index, VectorXd> rows_;
   mutable std::map<std::pair<Index, Index>, double> entries_;
+  mutable std::map<Index, VectorXd> projected_;
 };
 
 }  // namespace nineline::discovery

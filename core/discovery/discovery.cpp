@@ -8,6 +8,7 @@
 
 #include "core/discovery/final_fit.h"
 #include "core/discovery/holdout.h"
+#include "core/discovery/hygiene.h"
 #include "core/discovery/leftover.h"
 #include "core/discovery/lookalikes.h"
 #include "core/discovery/where.h"
@@ -234,15 +235,23 @@ Result<DiscoveryReport> discover(const errors::ErrorModel& model,
                                  const DiscoveryOptions& options, Progress& progress) {
   progress.report(0.0, "predicting");
   const Holdout holdout(measurements, options.holdout_runs);
-  const auto use = [&](std::size_t file, std::size_t sample) { return !holdout.has(file, sample); };
-  const Result<Campaign> campaign = Campaign::make(model, measurements, use);
+  const auto seen = [&](std::size_t file, std::size_t sample) { return !holdout.has(file, sample); };
+  Result<Campaign> campaign = Campaign::make(model, measurements, seen);
   if (!campaign) return campaign.error();
+  const std::vector<HygieneFinding> faults = checkData(*campaign);
+  if (!faults.empty()) {
+    campaign = Campaign::make(model, measurements, [&](std::size_t file, std::size_t sample) {
+      return seen(file, sample) && !isFaulty(faults, file, sample);
+    });
+    if (!campaign) return campaign.error();
+  }
   Selection selection(*campaign, {});
   if (Result<void> ran = selection.run(progress); !ran) return ran.error();
   progress.report(0.75, "looking for structure without a name");
   const Leftover leftover = findLeftover(selection);
   const FinalFit fit = finalFit(selection);
   DiscoveryReport report;
+  for (const HygieneFinding& one : faults) report.data_quality.push_back(one.fault);
   report.samples = campaign->readings().size();
   report.outliers = static_cast<std::size_t>(
       std::count(selection.noiseModel().outliers().begin(), selection.noiseModel().outliers().end(), true));

@@ -10,7 +10,7 @@ namespace nineline::discovery {
 namespace {
 
 constexpr double kGolden = 0.6180339887498949;
-constexpr int kGoldenSteps = 12;
+constexpr int kGoldenSteps = 15;
 constexpr double kNoise = 1e-6;  // falls of the score below this are rounding
 
 struct State {
@@ -64,9 +64,7 @@ std::size_t refineOption(Dictionary& dictionary, const OptionSet& rest, std::siz
     }
   }
   if (!moved) return option;
-  std::vector<double> step = original.step;
-  for (double& s : step) s *= 0.4;
-  return dictionary.append(option, std::move(shape), std::move(step));
+  return dictionary.append(option, std::move(shape), original.step);
 }
 
 bool isNonlinear(const Dictionary& dictionary, std::size_t option) {
@@ -97,8 +95,12 @@ bool dropWorst(const Dictionary& dictionary, OptionSet& set, double& score, doub
 /// Puts the best of the few best options beside `rest`, when that scores below `score`.
 bool takeBest(Dictionary& dictionary, const OptionSet& rest, const SearchOptions& options, std::size_t tries,
               double margin, OptionSet& set, double& score) {
+  constexpr double kRefinement = 15.0;  // what finer non-linear parameters may add
   const VectorXd net = dictionary.netGains(rest, options.which);
+  const double rest_score = dictionary.score(rest);
   for (const std::size_t option : bestPerCandidate(dictionary, net, tries)) {
+    const double coarse = rest_score - net[static_cast<Index>(option)];
+    if (coarse >= score - margin + kRefinement + 0.1 * net[static_cast<Index>(option)]) break;
     if (hasCandidateOf(dictionary, rest, option)) continue;
     OptionSet longer = with(rest, option);
     if (isNonlinear(dictionary, option)) longer.back() = refineOption(dictionary, rest, option);

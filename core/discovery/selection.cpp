@@ -10,7 +10,7 @@ namespace nineline::discovery {
 namespace {
 
 constexpr double kKeep = 10.0;        // −2 ln L that a member must be worth
-constexpr double kFirstMargin = 4.0;  // in passes whose noise is not settled yet
+constexpr double kFirstMargin = 8.0;  // in passes whose noise is not settled yet
 constexpr int kPasses = 3;
 
 std::set<std::size_t> causesOf(const OptionBank& bank, const OptionSet& set) {
@@ -49,7 +49,7 @@ void Selection::flagOutliers() {
 }
 
 void Selection::searchAndScan() {
-  constexpr int kScans = 3;
+  constexpr int kScans = 2;
   SearchOptions options;
   options.margin = kFirstMargin;
   if (scanWaves(library_, model_, noise_, dictionary_->whitenedResidual(set_)) > 0) dictionary_->update();

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kStep = 0.3;  // of the resolution 1 / range
 constexpr Index kChunk = 256;  // waves formed at once
-constexpr std::size_t kMostWaves = 12000;
+constexpr std::size_t kMostWaves = 4000;
 constexpr std::size_t kPeaks = 3;
 constexpr double kLeastGain = 14.0;
 
@@ -18,20 +18,21 @@ struct Part {
   std::vector<NoiseRun> runs;  // in the whole
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
-  double finest = 0.0;       // typical distance of neighbouring arguments
-  double longest_run = 0.0;  // range of the argument within one run
+  double finest = 0.0;  // typical distance of neighbouring arguments
+  double run = 0.0;     // typical range of the argument within one run
 };
 
 Part activePart(const WaveSite& site, const NoiseModel& model) {
   Part part;
-  std::vector<double> steps;
+  std::vector<double> steps, ranges;
   for (const NoiseRun& run : model.layout().runs) {
     if (site.response.segment(run.first, run.count).squaredNorm() < 1e-12) continue;
-    part.runs.push_back(run);
     const auto x = site.argument.segment(run.first, run.count);
+    if (x.maxCoeff() - x.minCoeff() < 1e-6) continue;  // a wave stands still there
+    part.runs.push_back(run);
+    ranges.push_back(x.maxCoeff() - x.minCoeff());
     part.low = std::min(part.low, x.minCoeff());
     part.high = std::max(part.high, x.maxCoeff());
-    part.longest_run = std::max(part.longest_run, x.maxCoeff() - x.minCoeff());
     for (Index i = 1; i < run.count; ++i) {
       const double step = std::abs(x[i] - x[i - 1]);
       if (step > 1e-6) steps.push_back(step);
@@ -41,6 +42,9 @@ Part activePart(const WaveSite& site, const NoiseModel& model) {
   const auto at = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 10);
   std::nth_element(steps.begin(), at, steps.end());
   part.finest = *at;
+  const auto middle = ranges.begin() + static_cast<std::ptrdiff_t>(ranges.size() / 2);
+  std::nth_element(ranges.begin(), middle, ranges.end());
+  part.run = *middle;
   return part;
 }
 
@@ -150,7 +154,7 @@ std::size_t scanPositions(EffectLibrary& library, const WaveSite& site, const Pa
 std::size_t scanTimes(EffectLibrary& library, const WaveSite& site, const Part& part, const NoiseModel& model,
                       const Noise& noise, const VectorXd& residual) {
   const double highest = std::min(site.high, 0.6 / part.finest);
-  const Frequencies coarse = between(std::max(site.low, 2.0 / part.longest_run), highest, part.longest_run);
+  const Frequencies coarse = between(std::max(site.low, 2.0 / part.run), highest, part.run);
   if (coarse.count < 3) return 0;
   const VectorXd sums = gainsAt(site, part, model, noise, residual, coarse, false);
   std::size_t added = 0;
