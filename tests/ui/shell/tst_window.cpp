@@ -99,7 +99,7 @@ class TestWindow : public QObject {
     QVERIFY(report.after.norm.rms < kLeftAtMost * report.before.norm.rms);
     QCOMPARE(outcome->before.size(), outcome->after.size());
     QCOMPARE(window_->workspace().state(Step::Results), StepState::Ready);
-    QCOMPARE(child<QLabel>(*window_, "headline")->text(), QStringLiteral("NC program corrected"));
+    QCOMPARE(child<QLabel>(*compensatePage(), "headline")->text(), QStringLiteral("NC program corrected"));
   }
 
   void resultsAndDifferenceAreShown() {
