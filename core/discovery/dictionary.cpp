@@ -1,13 +1,8 @@
 #include "core/discovery/dictionary.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-
-#include "core/base/contract.h"
 
 namespace nineline::discovery {
 
