@@ -58,7 +58,7 @@ int runCommandLine(int argc, const char* const* argv) {
   const std::array commands{addMachinesCommand(app),   addThreadCommand(app),   addSimulateCommand(app),
                             addCompensateCommand(app), addIdentifyCommand(app), addEvaluateCommand(app),
                             addPredictCommand(app),    addDiscoverCommand(app), addDemoCommand(app),
-                            addSmoothCommand(app)};
+                            addSmoothCommand(app),     addPostCommand(app)};
   for (CLI::App* command : app.get_subcommands({})) {
     command->fallthrough();
     command->footer("Common options: --json  --quiet  --threads N");

@@ -27,5 +27,6 @@ struct Command {
 [[nodiscard]] Command addDiscoverCommand(CLI::App& app);
 [[nodiscard]] Command addDemoCommand(CLI::App& app);
 [[nodiscard]] Command addSmoothCommand(CLI::App& app);
+[[nodiscard]] Command addPostCommand(CLI::App& app);
 
 }  // namespace nineline::cli

@@ -309,7 +309,10 @@ class AptReader {
   }
 
   bool readTextual() {
-    if (is("PARTNO") && program_.name.empty()) program_.name = statement_->text;
+    if (is("PARTNO") && program_.name.empty()) {
+      program_.name = statement_->text;
+      return true;
+    }
     if (!is("PPRINT") && !is("PARTNO") && !is("REMARK")) return false;
     if (!statement_->text.empty()) comment(statement_->text);
     return true;

@@ -16,6 +16,7 @@ using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxAxes, 1>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 
 constexpr double kSingular = 1e-13;  // smallest share of a pivot that is still divided by
+constexpr double kReluctant = 1e5;   // mm: what 1 rad of a rotary joint weighs in a singular pose
 constexpr int kMostHalvings = 8;
 
 /// Rotation vector that turns the unit vector `from` into `to` (theory.md, 4.2 b).
@@ -162,7 +163,11 @@ Solution PoseSolver::solve(const TipAxis& target, const JointPositions& start) c
         solution.tip_error < options_.tip_tolerance && solution.axis_error < options_.axis_tolerance;
     if (solution.converged || solution.iterations == options_.most_iterations) return solution;
     Increment step = increment(machine_, jacobian, pose.axis, r, free, 0.0, options_);
-    if (!step.solved) step = increment(machine_, jacobian, pose.axis, r, free, 1e-3, options_);
+    if (!step.solved) {  // singular: rotary joints stand still unless the tool axis needs them
+      SolverOptions reluctant = options_;
+      reluctant.rotary_length = kReluctant;
+      step = increment(machine_, jacobian, pose.axis, r, free, 1e-6, reluctant);
+    }
     if (!step.solved) return solution;
     capTurns(machine_, options_.largest_turn, step.dq);
     for (std::size_t k = 0; k < kMaxAxes; ++k) solution.q[k] += step.dq[k];
