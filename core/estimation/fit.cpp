@@ -12,7 +12,9 @@ constexpr int kNoiseSteps = 12;
 constexpr double kSettled = 1e-2;         // relative change of noise levels
 constexpr double kSettledWeights = 0.02;  // change of any reading's weight
 constexpr double kSmallStep = 1e-12;      // mm, rad: a prediction that changes less has settled
-constexpr double kSmallStepSigmas = 1e-5;
+// By the noise; the next step would be 1e-4 of it. Levels that are estimated may shrink towards 0 with it.
+constexpr double kSmallStepSigmas = 1e-2;
+constexpr double kSmallStepEstimated = 1e-5;
 
 class Fitter {
  public:
@@ -56,7 +58,8 @@ class Fitter {
     if (!solution) return solution.error();
     if (!with_covariance) solution->covariance = std::move(solution_.covariance);
     solution_ = std::move(*solution);
-    fit_.rest = restOf(linearisation_, map_ * solution_.step, solution_);
+    change_ = linearisation_.times(map_ * solution_.step);
+    fit_.rest = restOf(linearisation_, change_, solution_);
     return {};
   }
 
@@ -79,8 +82,8 @@ class Fitter {
 
   Result<void> firstSolution() {
     sumUp();
-    if (Result<void> done = settleNoise(adapts() ? 3 : 1); !done) return done;
     if (!options_.robust.enabled) return settleNoise(kNoiseSteps);
+    if (Result<void> done = settleNoise(3); !done) return done;
     if (Result<void> done = reweight(); !done) return done;
     return leaveOut();
   }
@@ -152,14 +155,14 @@ class Fitter {
   }
 
   [[nodiscard]] bool hasSettled() {
-    const VectorXd change = linearisation_.times(map_ * solution_.step);
-    fit_.last_step = change.size() == 0 ? 0.0 : change.cwiseAbs().maxCoeff();
+    fit_.last_step = change_.size() == 0 ? 0.0 : change_.cwiseAbs().maxCoeff();
     double relative = 0.0;
     for (std::size_t row = 0; row < readings_.rows(); ++row) {
       const double sigma = fit_.noise.scale[readings_.noiseOf(row)] * readings_.readings()[row].sigma;
-      relative = std::max(relative, std::abs(change[static_cast<Index>(row)]) / sigma);
+      relative = std::max(relative, std::abs(change_[static_cast<Index>(row)]) / sigma);
     }
-    return fit_.last_step < kSmallStep || relative < kSmallStepSigmas;
+    return fit_.last_step < kSmallStep ||
+           relative < (options_.estimate_noise ? kSmallStepEstimated : kSmallStepSigmas);
   }
 
   Result<Fit> finished() {
@@ -196,6 +199,7 @@ class Fitter {
   Fit fit_;
   NormalSums sums_;
   MixedSolution solution_;
+  VectorXd change_;  // of the predictions by the last step
 };
 
 }  // namespace

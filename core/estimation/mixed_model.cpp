@@ -133,10 +133,9 @@ double fittedVariance(const ReadingSet& readings, const NormalSums& sums, const 
   return row.dot(solution.covariance * row) + scale * scale * pull;
 }
 
-VectorXd restOf(const Linearisation& linearisation, const VectorXd& coefficient_step,
-                const MixedSolution& solution) {
+VectorXd restOf(const Linearisation& linearisation, const VectorXd& change, const MixedSolution& solution) {
   const ReadingSet& readings = linearisation.readings();
-  VectorXd rest = linearisation.residual() - linearisation.times(coefficient_step);
+  VectorXd rest = linearisation.residual() - change;
   for (std::size_t row = 0; row < readings.rows(); ++row) {
     const std::size_t g = readings.readings()[row].group;
     const int zero = readings.groups()[g].zero;

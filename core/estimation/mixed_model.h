@@ -34,8 +34,8 @@ struct MixedSolution {
 [[nodiscard]] MatrixXd information(const ReadingSet& readings, const NormalSums& sums,
                                    const NoiseLevels& noise);
 
-/// What remains of each reading: r − J step − zero − offset.
-[[nodiscard]] VectorXd restOf(const Linearisation& linearisation, const VectorXd& coefficient_step,
+/// What remains of each reading: r − change − zero − offset; `change`: J step, by row.
+[[nodiscard]] VectorXd restOf(const Linearisation& linearisation, const VectorXd& change,
                               const MixedSolution& solution);
 
 /// Variance of what is fitted to a reading of a run group, its zero and run offset included; `a`: the

@@ -62,15 +62,18 @@ struct Shape {
 
 /// Everything of one case: unknowns for the fit, and the weights of every pose for Ceres.
 struct Case {
-  Case(const Shape& shape, int poses);
+  Case(const Shape& shape, int count);
   void addAxis(int axis);
   void addScalar(int joint, int row);
   void addColumn(const std::vector<std::pair<Index, double>>& column);
 
   Shape shape;
   Machine machine;
-  Measurement file;
+  std::vector<Measurement> files;  // positions, rotations
+  std::vector<kinematics::JointPositions> poses;
+  std::vector<Eigen::Vector3d> readings;
   Unknowns unknowns;
+  std::optional<std::size_t> constant;
   std::vector<Eigen::Triplet<double>> entries;
   int parameters = 0;
   Eigen::SparseMatrix<double> map;
@@ -131,12 +134,12 @@ void Case::addAxis(int axis) {
 }
 
 void Case::addScalar(int joint, int row) {
-  const std::size_t constant = unknowns.addBasis(std::make_shared<ConstantBasis>());
-  const std::size_t block = unknowns.addBlock(joint, errors::Slot::Located, along(row), constant);
+  if (!constant) constant = unknowns.addBasis(std::make_shared<ConstantBasis>());
+  const std::size_t block = unknowns.addBlock(joint, errors::Slot::Located, along(row), *constant);
   addColumn({{unknowns.blocks()[block].first, 1.0}});
 }
 
-Case::Case(const Shape& of_shape, int poses) : shape(of_shape), machine(fiveAxis(of_shape.rotary)) {
+Case::Case(const Shape& of_shape, int count) : shape(of_shape), machine(fiveAxis(of_shape.rotary)) {
   for (int axis = 0; axis < 3; ++axis) addAxis(axis);
   const int y = machine.find({'Y', 0});
   const int z = machine.find({'Z', 0});
@@ -150,22 +153,24 @@ Case::Case(const Shape& of_shape, int poses) : shape(of_shape), machine(fiveAxis
   map.resize(unknowns.size(), parameters);
   map.setFromTriplets(entries.begin(), entries.end());
   using measurement::Quantity;
-  file.instrument.kind = measurement::InstrumentKind::Deviation;
-  for (const Quantity quantity :
-       {Quantity::DevX, Quantity::DevY, Quantity::DevZ, Quantity::RotX, Quantity::RotY, Quantity::RotZ}) {
-    file.channels.push_back({quantity});
+  files.resize(2);
+  for (Measurement& file : files) {
+    file.instrument.kind = measurement::InstrumentKind::Deviation;
+    file.repeatability = kNoise;
+    file.angular_repeatability = kAngleNoise;
   }
-  file.repeatability = kNoise;
-  file.angular_repeatability = kAngleNoise;
+  files[0].channels = {{Quantity::DevX}, {Quantity::DevY}, {Quantity::DevZ}};
+  files[1].channels = {{Quantity::RotX}, {Quantity::RotY}, {Quantity::RotZ}};
   Random random(7);
   VectorXd truth(parameters);
   for (Index k = 0; k < truth.size(); ++k) truth[k] = random.between(-3e-5, 3e-5);
   const VectorXd coefficients = map * truth;
-  const measurement::ReadingFunction function(machine, file.instrument, file.channels);
+  const std::array functions{measurement::ReadingFunction(machine, files[0].instrument, files[0].channels),
+                             measurement::ReadingFunction(machine, files[1].instrument, files[1].channels)};
   std::vector<BasisValues> values(unknowns.bases().size());
   kinematics::JointDisplacements displacements;
-  std::array<double, 6> readings{};
-  for (int i = 0; i < poses; ++i) {
+  std::array<double, 3> exact{};
+  for (int i = 0; i < count; ++i) {
     MachineState state;
     for (int j = 0; j < machine.jointCount(); ++j) {
       const double reach = machine.isRotary(j) ? (j == 0 ? 1.5 : kPi) : kReach;
@@ -173,17 +178,21 @@ Case::Case(const Shape& of_shape, int poses) : shape(of_shape), machine(fiveAxis
     }
     unknowns.evaluate(state, values);
     unknowns.displacements(values, coefficients, displacements);
-    function.read(state.q, displacements, readings);
+    const bool angular = i % 3 == 2;
+    functions[angular ? 1 : 0].read(state.q, displacements, exact);
+    Measurement& file = files[angular ? 1 : 0];
     measurement::Sample sample;
     sample.q = state.q;
     file.samples.push_back(sample);
-    for (std::size_t k = 0; k < 6; ++k) {
-      const bool is_read = (i % 3 == 2) == (k >= 3);
+    poses.push_back(state.q);
+    Eigen::Vector3d reading;
+    for (std::size_t k = 0; k < 3; ++k) {
       double noise = 0.0;
       for (int n = 0; n < 12; ++n) noise += random.between(-0.5, 0.5);  // normal enough
-      if (is_read) file.readings.emplace_back(readings[k] + noise * (k < 3 ? kNoise : kAngleNoise));
-      if (!is_read) file.readings.emplace_back();
+      reading[static_cast<Index>(k)] = exact[k] + noise * (angular ? kAngleNoise : kNoise);
+      file.readings.emplace_back(reading[static_cast<Index>(k)]);
     }
+    readings.push_back(reading);
   }
 }
 
@@ -283,13 +292,13 @@ struct Pose {
 std::vector<Pose> posesOf(const Case& of_case) {
   std::vector<Pose> poses;
   const int linear = of_case.shape.rotary ? 2 : 0;
-  for (std::size_t i = 0; i < of_case.file.samples.size(); ++i) {
+  for (std::size_t i = 0; i < of_case.poses.size(); ++i) {
     Pose pose;
     pose.shape = &of_case.shape;
-    pose.q = of_case.file.samples[i].q;
+    pose.q = of_case.poses[i];
+    pose.reading = of_case.readings[i];
     pose.angular = i % 3 == 2;
     for (std::size_t k = 0; k < 3; ++k) {
-      pose.reading[static_cast<Index>(k)] = *of_case.file.readings[6 * i + (pose.angular ? 3 : 0) + k];
       const double q = pose.q[static_cast<std::size_t>(linear) + k];
       if (of_case.shape.nodes > 0) {
         const VectorXd cardinal = of_case.tables[k]->cardinal(q);
@@ -344,7 +353,7 @@ Run runCeres(const Case& of_case, const std::vector<Pose>& poses) {
 Run runOwn(const Case& of_case) {
   Run run;
   const double start = cpuSeconds();
-  const ReadingSet readings = ReadingSet::make(of_case.machine, std::span(&of_case.file, 1)).value();
+  const ReadingSet readings = ReadingSet::make(of_case.machine, of_case.files).value();
   Linearisation linearisation(of_case.unknowns, readings);
   FitOptions options;
   options.robust.enabled = false;
