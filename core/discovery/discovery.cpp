@@ -11,6 +11,7 @@
 #include "core/discovery/hygiene.h"
 #include "core/discovery/leftover.h"
 #include "core/discovery/lookalikes.h"
+#include "core/discovery/next_experiment.h"
 #include "core/discovery/where.h"
 
 namespace nineline::discovery {
@@ -228,6 +229,20 @@ Verdict verdictOf(const Selection& selection, const DiscoveryReport& report) {
   return structure ? Verdict::Unknown : Verdict::None;
 }
 
+/// No gain on unseen runs, no change: whatever the fit says, the model stays and nothing is claimed.
+void withdrawIfUseless(const errors::ErrorModel& model, DiscoveryReport& report) {
+  constexpr double kWorse = 1.02;
+  constexpr double kNotClaimed = 0.4;
+  const bool worse =
+      report.gap.holdout_before > 0.0 && report.gap.holdout_after > kWorse * report.gap.holdout_before;
+  if (report.effects.empty() || !worse) return;
+  report.verdict = Verdict::Unknown;
+  for (FoundEffect& found : report.effects) found.confidence = std::min(found.confidence, kNotClaimed);
+  report.model = model;
+  report.gap.holdout_after = report.gap.holdout_before;
+  report.gap.closed_pct = 0.0;
+}
+
 }  // namespace
 
 Result<DiscoveryReport> discover(const errors::ErrorModel& model,
@@ -272,6 +287,8 @@ Result<DiscoveryReport> discover(const errors::ErrorModel& model,
     return judged.error();
   }
   report.model = std::move(*enlarged);
+  withdrawIfUseless(model, report);
+  report.next_experiment = nextExperiment(report);
   report.message = "done";
   progress.report(1.0, "done");
   return report;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 
 namespace nineline::discovery {
 
@@ -40,6 +41,24 @@ Result<std::vector<std::optional<double>>> heldResiduals(const ErrorModel& model
   return residuals;
 }
 
+/// Files of one run each: the last of every four or more of one set-up.
+std::vector<bool> lastOfMany(const std::vector<Measurement>& measurements) {
+  std::map<std::string, std::vector<std::size_t>> same;
+  for (std::size_t f = 0; f < measurements.size(); ++f) {
+    const measurement::Instrument& one = measurements[f].instrument;
+    if (measurement::runsOf(measurements[f]).size() != 1) continue;
+    std::string key(measurement::nameOf(one.kind));
+    key += (one.axis ? one.axis->text() : "") + one.plane + std::to_string(one.sensitive) +
+           std::to_string(one.about);
+    same[key].push_back(f);
+  }
+  std::vector<bool> last(measurements.size(), false);
+  for (const auto& [key, files] : same) {
+    if (files.size() >= kFewestRuns) last[files.back()] = true;
+  }
+  return last;
+}
+
 struct Sums {
   double before = 0.0, after = 0.0, noise = 0.0, count = 0.0;
 };
@@ -57,8 +76,10 @@ std::map<std::size_t, double> levelsOf(const Campaign& campaign, const Noise& no
 }  // namespace
 
 Holdout::Holdout(const std::vector<Measurement>& measurements, const std::vector<double>& asked) {
-  for (const Measurement& file : measurements) {
-    std::vector<std::uint8_t> held(file.samples.size(), 0);
+  const std::vector<bool> whole = lastOfMany(measurements);
+  for (std::size_t f = 0; f < measurements.size(); ++f) {
+    const Measurement& file = measurements[f];
+    std::vector<std::uint8_t> held(file.samples.size(), asked.empty() && whole[f] ? 1 : 0);
     const std::vector<measurement::RunSpan> spans = measurement::runsOf(file);
     for (std::size_t s = 0; s < spans.size(); ++s) {
       const bool last = asked.empty() && spans.size() >= kFewestRuns && s + 1 == spans.size();

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/units.h"
+
 namespace nineline::discovery {
 
 namespace {
@@ -84,7 +86,7 @@ Strip stripOf(const CampaignFile& file, const measurement::RunSpan& run, std::si
 
 /// What the slope of one run says, when the other runs of its file are as predicted; empty: nothing.
 std::string faultOf(const Slope& slope) {
-  constexpr std::array<double, 4> kUnits{25.4, 1.0 / 25.4, 1000.0, 0.001};
+  constexpr std::array<double, 4> kUnits{kMillimetresPerInch, 1.0 / kMillimetresPerInch, 1000.0, 0.001};
   if (slope.value + 4.0 * slope.error < -0.3 &&
       std::abs(slope.value + 1.0) < std::max(0.4, 3.0 * slope.error)) {
     return "the readings have the opposite sign of those of the other runs";

@@ -38,6 +38,13 @@ std::string whyOf(const NamedEffect& own, const NamedEffect& other, double liken
              : fmt::format("their readings agree to {:.0f} % on these data", 100.0 * likeness);
 }
 
+/// An effect with more coefficients that contains the member is that member with a part that is not there.
+bool isRicher(const Dictionary& dictionary, std::size_t member, std::size_t other) {
+  constexpr double kContained = 0.995;
+  return dictionary.whitenedColumns(other).cols() > dictionary.whitenedColumns(member).cols() &&
+         dictionary.likeness(member, other) > kContained;
+}
+
 std::vector<Substitute> substitutesOf(Selection& selection, const Hypotheses& hypotheses,
                                       std::size_t member) {
   constexpr double kFar = 60.0;
@@ -52,6 +59,7 @@ std::vector<Substitute> substitutesOf(Selection& selection, const Hypotheses& hy
     OptionSet other = with(rest, option);
     other = refine(dictionary, other);
     if (!dictionary.isPlausible(other)) continue;
+    if (isRicher(dictionary, member, other.back())) continue;
     found.push_back({other.back(), hypotheses.score(dictionary, other), 0.0});
   }
   return found;
