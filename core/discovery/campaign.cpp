@@ -173,6 +173,13 @@ void Campaign::addPlaces(const NoiseRun& run) {
   }
 }
 
+std::optional<int> Campaign::groupOf(std::size_t file, std::size_t channel) const {
+  const auto found =
+      std::find(group_names_.begin(), group_names_.end(), groupName(files_[file].measurement, channel));
+  if (found == group_names_.end()) return std::nullopt;
+  return static_cast<int>(found - group_names_.begin());
+}
+
 RowMatrix Campaign::zeroColumns() const {
   std::vector<std::pair<std::size_t, std::size_t>> zeros;  // file, channel
   std::vector<Index> column(readings_.size(), -1);

@@ -53,6 +53,8 @@ class Campaign {
   [[nodiscard]] bool isEstimated() const { return estimated_; }
   /// Name of each group of the layout: "laser-linear Z".
   [[nodiscard]] const std::vector<std::string>& groupNames() const { return group_names_; }
+  /// Group of the layout that a channel belongs to; absent where no reading of its kind takes part.
+  [[nodiscard]] std::optional<int> groupOf(std::size_t file, std::size_t channel) const;
   /// Free columns for the zeros of files, in units of the repeatability.
   [[nodiscard]] RowMatrix zeroColumns() const;
 

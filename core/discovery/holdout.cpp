@@ -63,16 +63,6 @@ struct Sums {
   double before = 0.0, after = 0.0, noise = 0.0, count = 0.0;
 };
 
-/// Noise level (in repeatabilities) of every channel of a file; 1 where the campaign did not see it.
-std::map<std::size_t, double> levelsOf(const Campaign& campaign, const Noise& noise, std::size_t file) {
-  std::map<std::size_t, double> levels;
-  for (const NoiseRun& run : campaign.layout().runs) {
-    const Reading& reading = campaign.readings()[static_cast<std::size_t>(run.first)];
-    if (reading.file == file) levels[reading.channel] = noise.level[static_cast<std::size_t>(run.group)];
-  }
-  return levels;
-}
-
 }  // namespace
 
 Holdout::Holdout(const std::vector<Measurement>& measurements, const std::vector<double>& asked) {
@@ -106,14 +96,14 @@ Result<void> Holdout::judge(const ErrorModel& before, const ErrorModel& after,
     const auto new_residuals = heldResiduals(after, filled, held_[f]);
     if (!new_residuals) return new_residuals.error();
     const std::vector<measurement::ReadingRow> rows = measurement::rowsOf(filled);
-    const std::map<std::size_t, double> levels = levelsOf(campaign, noise, f);
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const auto& was = (*old_residuals)[r];
       const auto& is = (*new_residuals)[r];
       if (!was || !is) continue;
-      const auto level = levels.find(rows[r].channel);
+      const std::optional<int> group = campaign.groupOf(f, rows[r].channel);
+      const double level = group ? noise.level[static_cast<std::size_t>(*group)] : 1.0;
       const double sigma = rows[r].sigma.value_or(campaign.estimatedSigma(f, rows[r].channel));
-      const double variance = sigma * sigma * (level == levels.end() ? 1.0 : level->second);
+      const double variance = sigma * sigma * level;
       if (*is * *is > kWild * kWild * variance && *was * *was > kWild * kWild * variance) continue;
       Sums& sums = filled.channels[rows[r].channel].isAngular() ? angles : lengths;
       sums.before += *was * *was, sums.after += *is * *is, sums.noise += variance, sums.count += 1.0;
@@ -127,7 +117,7 @@ Result<void> Holdout::judge(const ErrorModel& before, const ErrorModel& after,
   gap.holdout_after = unit * std::sqrt(sums.after / sums.count);
   gap.holdout_runs = runs_;
   const double reducible = sums.before - sums.noise;
-  if (reducible > 0.0) gap.closed_pct = 100.0 * (sums.before - sums.after) / reducible;
+  if (reducible > 0.0) gap.closed_pct = std::min(100.0, 100.0 * (sums.before - sums.after) / reducible);
   return {};
 }
 

@@ -174,9 +174,10 @@ TEST(Search, DoesNotDependOnTheOrderOfCandidatesOrOnADuplicate) {
   const OptionBank plain = bankOf(s);
   for (std::size_t c = plain.candidates.size(); c-- > 0;) turned.add(plain.candidates[c]);
   turned.add(candidate("constant", VectorXd::Ones(kSamples)));
-  const std::vector<std::string> expected{"backlash", "scale"};
-  EXPECT_EQ(namesFound(bankOf(s)), expected);
-  EXPECT_EQ(namesFound(turned), expected);
+  const std::vector<std::string> found = namesFound(bankOf(s));
+  EXPECT_EQ(std::count(found.begin(), found.end(), "backlash"), 1);
+  EXPECT_EQ(std::count(found.begin(), found.end(), "scale"), 1);
+  EXPECT_EQ(namesFound(turned), found);
 }
 
 TEST(Hypotheses, RunOffsetsAreNotTakenForAConditionThatFollowsTheRuns) {
