@@ -95,12 +95,16 @@ Result<kinematics::Machine> takeMachine(const PostCommandOptions& options,
   return model->machine();
 }
 
-Result<postprocessing::ClProgram> readProgram(const std::string& path, double arc_tolerance) {
+Result<postprocessing::ClProgram> readProgram(const std::string& path, double arc_tolerance,
+                                              Console& console) {
   const Result<std::string> text = readFile(path);
   if (!text) return text.error();
   postprocessing::ClOptions options;
   options.arc_tolerance = arc_tolerance;
-  return postprocessing::readClData(*text, path, options);
+  Diagnostics faults;
+  Result<postprocessing::ClProgram> program = postprocessing::readClData(*text, path, options, &faults);
+  if (!program && faults.hasErrors()) return console.refusal(faults, path);
+  return program;
 }
 
 /// Both files, or none of them.
@@ -141,7 +145,7 @@ Result<void> runPost(const PostCommandOptions& options, Console& console) {
   if (!verb) return verb.error();
   verb->correction = std::move(correction);
   const Result<postprocessing::ClProgram> program =
-      readProgram(options.cl_file, 0.5 * verb->moves.chord_tolerance);
+      readProgram(options.cl_file, 0.5 * verb->moves.chord_tolerance, console);
   if (!program) return program.error();
   const Result<postprocessing::PostResult> result =
       postprocessing::postProcess(*machine, *program, *verb, console);

@@ -4,9 +4,11 @@
 
 namespace nineline::postprocessing {
 
-Result<ClProgram> readClData(std::string_view text, const std::string& source, const ClOptions& options) {
+Result<ClProgram> readClData(std::string_view text, const std::string& source, const ClOptions& options,
+                             Diagnostics* all_faults) {
   ClProgram program;
-  Diagnostics faults;
+  Diagnostics own;
+  Diagnostics& faults = all_faults != nullptr ? *all_faults : own;
   std::string_view content = text;
   if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
   if (isClTable(content)) {

@@ -56,7 +56,8 @@ class KlartextWriter final : public ControlWriter {
   }
   void rapid(const std::string& axes) override { put("L " + axes + " R0 FMAX"); }
   void line(const std::string& axes, const std::string& feed, FeedWriting) override {
-    put("L " + axes + (feed.empty() ? "" : " F" + feed));
+    const std::string number = feed.ends_with('.') ? feed.substr(0, feed.size() - 1) : feed;
+    put("L " + axes + (feed.empty() ? "" : " F" + number));
   }
   void end() override {
     if (tip_control_) put("L M129");

@@ -95,9 +95,9 @@ class ProgramWriter {
     const bool timed = move.starts_known && move.time > 0.0 && last_;
     const bool inverse = options_.feed == FeedWriting::InverseTime && timed;
     double value = perMinuteFromPerSecond(move.feed);
-    if (inverse) {
+    if (inverse) {  // the time itself
       value = perMinuteFromPerSecond(1.0 / move.time);
-    } else if (timed) {
+    } else if (timed && !isPlain(move, axes)) {
       value = perMinuteFromPerSecond(countedLength(move, axes) / move.time);
     }
     const std::string feed = feedNumber(value);
@@ -106,6 +106,15 @@ class ProgramWriter {
     writer_->line(words, stays ? "" : feed, writing);
     feed_ = inverse ? "" : feed;
     writing_ = writing;
+  }
+
+  /// Linear axes alone at the feed asked for: F is that feed, without the words' rounding.
+  bool isPlain(const AxisMove& move, const WrittenAxes& axes) const {
+    for (int j = 0; j < machine_.jointCount(); ++j) {
+      const auto k = static_cast<std::size_t>(j);
+      if (machine_.isRotary(j) && axes.words[k] != last_->words[k]) return false;
+    }
+    return std::abs(move.length - move.time * move.feed) < 1e-9 * move.length;
   }
 
   double countedLength(const AxisMove& move, const WrittenAxes& axes) const {

@@ -228,7 +228,7 @@ TEST(PostProcessor, KlartextByHand) {
   EXPECT_EQ(
       result->text,
       "0 BEGIN PGM CUBE1 MM\n1 TOOL CALL 3 Z\n2 TOOL CALL S900\n3 L M3\n4 ; SIDE <A>\n"
-      "5 L A+0 C+0 X+10 Y+0 Z-2.5 R0 FMAX\n6 L X+20 F300.\n7 L Y+5\n8 L M0\n9 L M30\n10 END PGM CUBE1 MM\n");
+      "5 L A+0 C+0 X+10 Y+0 Z-2.5 R0 FMAX\n6 L X+20 F300\n7 L Y+5\n8 L M0\n9 L M30\n10 END PGM CUBE1 MM\n");
 }
 
 TEST(PostProcessor, FanucByHand) {
