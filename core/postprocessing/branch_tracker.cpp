@@ -8,6 +8,7 @@ namespace nineline::postprocessing {
 namespace {
 
 constexpr std::size_t kMostAlternatives = 8;
+constexpr std::size_t kMostWhenThorough = 48;
 constexpr double kLongTurn = 0.2;  // rad: a step that turns more is walked in shorter ones
 constexpr int kLongestInterval = 256;
 
@@ -22,12 +23,14 @@ double largestTurn(const Machine& machine, const JointPositions& a, const JointP
 
 }  // namespace
 
-void BranchTracker::search() {
+void BranchTracker::search(bool thorough) {
   BranchOptions options;
-  options.most = kMostAlternatives;
+  options.most = thorough ? kMostWhenThorough : kMostAlternatives;
+  options.starts = thorough ? 400 : options.starts;
+  options.thorough = thorough;
   for (const JointPositions& q : findBranches(solver_, target_, home_, options)) {
     const auto same = [&](const Alternative& one) { return sameButTurns(solver_.machine(), one.q, q); };
-    if (alternatives_.size() >= kMostAlternatives || std::ranges::any_of(alternatives_, same)) continue;
+    if (alternatives_.size() >= options.most || std::ranges::any_of(alternatives_, same)) continue;
     alternatives_.push_back({q, next_track_++, 0, solver_.opennessAt(q)});
   }
 }

@@ -21,10 +21,12 @@ class BranchTracker {
   BranchTracker(const PoseSolver& solver, const JointPositions& home) : solver_(solver), home_(home) {}
   void start(const TipAxis& target);
   void advance(const TipAxis& target);
+  /// Looks longer for branches at the present point, where none of those known serves.
+  void searchThoroughly() { search(true); }
   [[nodiscard]] const std::vector<Alternative>& alternatives() const { return alternatives_; }
 
  private:
-  void search();
+  void search(bool thorough = false);
   [[nodiscard]] Solution followClosely(const Alternative& from, const TipAxis& to) const;
   const PoseSolver& solver_;
   JointPositions home_;

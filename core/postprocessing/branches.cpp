@@ -31,6 +31,13 @@ JointPositions startNumber(const PoseSolver& solver, const JointPositions& home,
   return start;
 }
 
+int rotaryCount(const PoseSolver& solver) {
+  int count = 0;
+  for (int i = 0; i < solver.machine().jointCount(); ++i)
+    count += solver.machine().isRotary(i) && (solver.free() >> i & 1U) != 0 ? 1 : 0;
+  return count;
+}
+
 /// Gathers solutions that differ.
 class Collection {
  public:
@@ -120,11 +127,12 @@ std::vector<JointPositions> findBranches(const PoseSolver& solver, const TipAxis
                                          const JointPositions& home, const BranchOptions& options) {
   Collection collection(solver, target, home, options.most);
   std::size_t mirrored = 0;
+  const std::size_t usual = rotaryCount(solver) > 2 ? 4 : 2;
   for (int number = 0; number < options.starts && !collection.isFull(); ++number) {
     collection.tryFrom(startNumber(solver, home, number));
     if (solver.isRedundant()) continue;
     for (; mirrored < collection.size() && !collection.isFull(); ++mirrored) collection.tryMirrors(mirrored);
-    if (mirrored > 0 && number >= 12) break;
+    if (!options.thorough && number >= 12 && collection.size() >= usual) break;
   }
   return collection.take();
 }

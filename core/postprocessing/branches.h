@@ -7,7 +7,8 @@
 namespace nineline::postprocessing {
 
 struct BranchOptions {
-  int starts = 40;        ///< from a low-discrepancy sequence over the rotary joints' ranges
+  int starts = 60;        ///< from a low-discrepancy sequence over the rotary joints' ranges
+  bool thorough = false;  ///< uses all starts; else stops when twelve found as many branches as usual
   std::size_t most = 16;  ///< branches; of a redundant chain, different ones of its continuum
 };
 

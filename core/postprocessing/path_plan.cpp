@@ -71,6 +71,10 @@ class Planner {
       const TipAxis target{points_[i].tip, points_[i].axis};
       i == 0 ? tracker_.start(target) : tracker_.advance(target);
       std::vector<State> states = statesOf(tracker_.alternatives());
+      if (states.empty() && i == 0) {
+        tracker_.searchThoroughly();
+        states = statesOf(tracker_.alternatives());
+      }
       if (states.empty()) return unreachable(i);
       relax(i, states);
       std::erase_if(states, [](const State& state) { return state.cost == kInfinite; });

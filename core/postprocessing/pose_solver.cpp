@@ -17,6 +17,7 @@ using Matrix5d = Eigen::Matrix<double, 5, 5>;
 
 constexpr double kSingular = 1e-13;  // smallest share of a pivot that is still divided by
 constexpr double kReluctant = 1e5;   // mm: what 1 rad of a rotary joint weighs in a singular pose
+constexpr double kNoRank = 1e12;     // condition from which equations count as singular
 constexpr int kMostHalvings = 8;
 
 /// Rotation vector that turns the unit vector `from` into `to` (theory.md, 4.2 b).
@@ -275,7 +276,7 @@ double PoseSolver::opennessAt(const JointPositions& q) const {
   } else {
     return 1.0;  // fewer joints: the poses that they reach are reached in one way
   }
-  if (!gain.allFinite()) return 0.0;
+  if (!gain.allFinite() || gain.norm() * equations.J.norm() > kNoRank) return 0.0;
   double most = 1.0;
   for (Eigen::Index c = 0; c < gain.rows(); ++c) {
     const auto k = static_cast<std::size_t>(c);
