@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "core/base/units.h"
 
@@ -23,7 +24,11 @@ constexpr int kMostHalvings = 8;
 /// Rotation vector that turns the unit vector `from` into `to` (theory.md, 4.2 b).
 Vector3d turnBetween(const Vector3d& from, const Vector3d& to) {
   const Vector3d cross = from.cross(to);
-  const double sine = cross.norm();
+  const double squared = cross.squaredNorm();
+  // asin(s)/s by its series: exact to a double's last digit below a hundredth of a rad
+  if (squared < 1e-4 && from.dot(to) > 0.0)
+    return cross * (1.0 + squared * (1.0 / 6.0 + squared * (3.0 / 40.0 + squared * (5.0 / 112.0))));
+  const double sine = std::sqrt(squared);
   if (sine > 1e-300) return cross * (std::atan2(sine, from.dot(to)) / sine);
   return from.dot(to) >= 0.0 ? Vector3d(Vector3d::Zero()) : Vector3d(kPi * from.unitOrthogonal());
 }
@@ -41,14 +46,65 @@ double sizeOf(const TipAxisResidual& r, double rotation_length) {
   return r.tip.squaredNorm() + rotation_length * rotation_length * r.turn.squaredNorm();
 }
 
-/// Solves J dx = r where J is square; false where it is singular.
-bool solveSquare(const Rows& J, const Vector5d& r, Vector5d& x) {
-  const Matrix5d square = J;
-  const Eigen::PartialPivLU<Matrix5d> lu(square);
-  const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
-  if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return false;
-  x = lu.solve(r);
+/// The five equations of five joints with their right side, solved in place by elimination with partial
+/// pivoting; false where they are singular. Small and of fixed size: this is the inner loop of every path.
+using Augmented = std::array<std::array<double, 6>, 5>;
+bool eliminate(Augmented& rows) {
+  double largest = 0.0;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < 5; ++c) {
+    std::size_t pivot = c;
+    for (std::size_t i = c + 1; i < 5; ++i)
+      if (std::abs(rows[i][c]) > std::abs(rows[pivot][c])) pivot = i;
+    if (pivot != c) std::swap(rows[pivot], rows[c]);
+    const double size = std::abs(rows[c][c]);
+    largest = std::max(largest, size);
+    smallest = std::min(smallest, size);
+    if (!(smallest > kSingular * largest)) return false;
+    const double inverse = 1.0 / rows[c][c];
+    for (std::size_t i = c + 1; i < 5; ++i) {
+      const double factor = rows[i][c] * inverse;
+      if (factor == 0.0) continue;
+      for (std::size_t k = c + 1; k < 6; ++k) rows[i][k] -= factor * rows[c][k];
+    }
+  }
+  for (std::size_t c = 5; c-- > 0;) {
+    double sum = rows[c][5];
+    for (std::size_t k = c + 1; k < 5; ++k) sum -= rows[c][k] * rows[k][5];
+    rows[c][5] = sum / rows[c][c];
+  }
   return true;
+}
+
+/// The increment of exactly five free joints.
+Increment squareIncrement(const Machine& machine, const TipAxisJacobian& jacobian, const Vector3d& axis,
+                          const TipAxisResidual& residual, unsigned free, const SolverOptions& options) {
+  const Vector3d t1 = axis.unitOrthogonal();
+  const Vector3d t2 = axis.cross(t1);
+  const double weight = options.rotation_length;
+  Augmented rows;
+  std::array<std::size_t, 5> joints{};
+  std::array<double, 5> scale{};
+  for (std::size_t c = 0; c < 5; ++c, free &= free - 1U) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(free));
+    const bool rotary = machine.isRotary(static_cast<int>(k));
+    joints[c] = k;
+    scale[c] = rotary ? 1.0 / options.rotary_length : 1.0;
+    for (std::size_t i = 0; i < 3; ++i) rows[i][c] = scale[c] * jacobian.tip[k][static_cast<Eigen::Index>(i)];
+    rows[3][c] = rotary ? scale[c] * weight * t1.dot(jacobian.turn[k]) : 0.0;
+    rows[4][c] = rotary ? scale[c] * weight * t2.dot(jacobian.turn[k]) : 0.0;
+  }
+  for (std::size_t i = 0; i < 3; ++i) rows[i][5] = residual.tip[static_cast<Eigen::Index>(i)];
+  rows[3][5] = weight * t1.dot(residual.turn);
+  rows[4][5] = weight * t2.dot(residual.turn);
+  Increment result;
+  result.solved = eliminate(rows);
+  if (!result.solved) return result;
+  for (std::size_t c = 0; c < 5; ++c) {
+    result.dq[joints[c]] = scale[c] * rows[c][5];
+    result.solved = result.solved && std::isfinite(rows[c][5]);
+  }
+  return result;
 }
 
 struct Equations {
@@ -97,6 +153,8 @@ TipAxisResidual residualOf(const TipAxis& target, const TipAxis& pose) {
 Increment increment(const Machine& machine, const TipAxisJacobian& jacobian, const Vector3d& axis,
                     const TipAxisResidual& residual, unsigned free, double lambda,
                     const SolverOptions& options) {
+  if (lambda == 0.0 && std::popcount(free) == 5)
+    return squareIncrement(machine, jacobian, axis, residual, free, options);
   const Vector3d t1 = axis.unitOrthogonal();
   const Vector3d t2 = axis.cross(t1);
   const Equations equations = equationsOf(machine, jacobian, t1, t2, free, options);
@@ -106,11 +164,7 @@ Increment increment(const Machine& machine, const TipAxisJacobian& jacobian, con
       options.rotation_length * t2.dot(residual.turn);
   Increment result;
   Column x(J.cols());
-  if (J.cols() == 5 && lambda == 0.0) {
-    Vector5d five;
-    result.solved = solveSquare(J, r, five);
-    x = five;
-  } else if (J.cols() >= 5) {
+  if (J.cols() >= 5) {
     Matrix5d A = J * J.transpose();
     A.diagonal().array() += lambda * lambda;
     const Eigen::PartialPivLU<Matrix5d> lu(A);
