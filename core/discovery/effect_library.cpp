@@ -100,6 +100,10 @@ Candidate candidateOf(const Campaign& campaign, const NamedEffect& named) {
   for (const ParameterSpec& rule : named.effect.spec->parameters) {
     if (rule.role == errors::Role::Linear && rule.sign != 0) candidate.sign = rule.sign;
   }
+  // Both contain plain backlash: they are named only where their own part shows clearly.
+  constexpr double kContainsBacklash = -5.0;
+  const std::string_view id = named.effect.spec->id;
+  if (id == "counterweight" || id == "friction_speed") candidate.log_prior = kContainsBacklash;
   candidate.columns = [&campaign, named](std::span<const double> shape) {
     return columnsAt(campaign, named, shape);
   };
