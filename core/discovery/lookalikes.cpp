@@ -48,13 +48,14 @@ bool isRicher(const Dictionary& dictionary, std::size_t member, std::size_t othe
 std::vector<Substitute> substitutesOf(Selection& selection, const Hypotheses& hypotheses,
                                       std::size_t member) {
   constexpr double kFar = 60.0;
+  constexpr double kFarShare = 0.5;  // of the member's own gain: finer parameters may still catch up
   Dictionary& dictionary = selection.dictionary();
   const OptionSet rest = without(selection.set(), member);
   const VectorXd net = dictionary.netGains(rest);
   const double own = net[static_cast<Index>(member)];
   std::vector<Substitute> found{{member, hypotheses.score(dictionary, selection.set()), 0.0}};
   for (const std::size_t option : bestPerCandidate(dictionary, net, kSubstitutes + 1)) {
-    if (net[static_cast<Index>(option)] < own - kFar) break;
+    if (net[static_cast<Index>(option)] < own - std::max(kFar, kFarShare * own)) break;
     if (hasCandidateOf(dictionary, selection.set(), option)) continue;
     OptionSet other = with(rest, option);
     other = refine(dictionary, other);
