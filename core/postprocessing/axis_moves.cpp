@@ -101,19 +101,18 @@ class MoveMaker {
                   bool axis_free) {
     double tip = 0.0;
     double axis = 0.0;
-    for (int n = 1; n < 8; ++n) {
-      const double s = n / 8.0;
+    for (const double s : {0.5, 0.25, 0.75, 0.375, 0.625, 0.125, 0.875}) {  // the worst places first
       JointPositions q{};
       for (std::size_t k = 0; k < kMaxAxes; ++k) q[k] = q0[k] + s * (q1[k] - q0[k]);
       const TipAxis pose = solver_.chain().at(q);
       const TipAxis wanted = between(from, to, s);
       tip = std::max(tip, (pose.tip - wanted.tip).norm());
       axis = std::max(axis, angleBetween(pose.axis, wanted.axis));
+      if (!options_.tip_control && tip > options_.chord_tolerance) return false;
+      if (!axis_free && axis > options_.axis_deviation) return false;
     }
-    const bool good = (options_.tip_control || tip <= options_.chord_tolerance) &&
-                      (axis_free || axis <= options_.axis_deviation);
-    if (good && !options_.tip_control) out_.largest_chord = std::max(out_.largest_chord, tip);
-    return good;
+    if (!options_.tip_control) out_.largest_chord = std::max(out_.largest_chord, tip);
+    return true;
   }
 
   Result<void> split(const JointPositions& q0, const TipAxis& from, std::size_t i, const JointPositions& q1,

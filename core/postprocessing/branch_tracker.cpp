@@ -31,7 +31,7 @@ void BranchTracker::search(bool thorough) {
   for (const JointPositions& q : findBranches(solver_, target_, home_, options)) {
     const auto same = [&](const Alternative& one) { return sameButTurns(solver_.machine(), one.q, q); };
     if (alternatives_.size() >= options.most || std::ranges::any_of(alternatives_, same)) continue;
-    alternatives_.push_back({q, next_track_++, 0, solver_.opennessAt(q)});
+    alternatives_.push_back({q, next_track_++, 0});
   }
 }
 
@@ -73,8 +73,7 @@ void BranchTracker::advance(const TipAxis& target) {
       return sameButTurns(solver_.machine(), other.q, solution.q);
     };
     if (std::ranges::any_of(next, same)) continue;
-    const double openness = solution.iterations == 0 ? one.openness : solver_.opennessAt(solution.q);
-    next.push_back({solution.q, one.track, solution.iterations, openness});
+    next.push_back({solution.q, one.track, solution.iterations});
   }
   alternatives_ = std::move(next);
   target_ = target;

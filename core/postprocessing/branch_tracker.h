@@ -11,7 +11,6 @@ struct Alternative {
   JointPositions q{};
   int track = 0;
   int iterations = 0;
-  double openness = 1.0;
 };
 
 /// All branches of a path's poses, each followed continuously from point to point. Branches that run into one

@@ -27,7 +27,6 @@ struct State {
   int track = 0;
   std::array<int, kMostWound> turns{};
   JointPositions q{};
-  double openness = 1.0;
   double cost = kInfinite;
   int parent = -1;
   bool switched = false;
@@ -37,7 +36,6 @@ struct State {
 /// What is kept of a point for the way back.
 struct Step {
   JointPositions q{};
-  float openness = 1.0F;
   std::int32_t parent = -1;
   std::int16_t iterations = 0;
   bool switched = false;
@@ -94,7 +92,6 @@ class Planner {
       state.alternative = static_cast<int>(a);
       state.track = alternatives[a].track;
       state.q = alternatives[a].q;
-      state.openness = alternatives[a].openness;
       addTurns(state, 0, states);
     }
     return states;
@@ -139,12 +136,19 @@ class Planner {
       return;
     }
     for (State& state : states) {
-      for (std::size_t p = 0; p < states_.size(); ++p) tryWay(i, static_cast<int>(p), state);
+      for (const bool going_on : {true, false}) {  // the likely way first: it spares looking at the others
+        for (std::size_t p = 0; p < states_.size(); ++p) {
+          if (goesOn(states_[p], state) == going_on) tryWay(i, static_cast<int>(p), state);
+        }
+      }
     }
+  }
+  static bool goesOn(const State& before, const State& state) {
+    return before.track == state.track && before.turns == state.turns;
   }
   void tryWay(std::size_t i, int parent, State& state) const {
     const State& before = states_[static_cast<std::size_t>(parent)];
-    const bool goes_on = before.track == state.track && before.turns == state.turns;
+    const bool goes_on = goesOn(before, state);
     double cost = before.cost + motion(before.q, state.q);
     bool turned = false;
     if (!goes_on) {
@@ -161,7 +165,8 @@ class Planner {
   /// Whether the rotary joints may go from one branch to another within a cut: the tool axis stays within its
   /// tolerance all the way, while linear joints hold the tip.
   bool mayTurn(std::size_t i, const State& before, const State& state) const {
-    if (before.openness > 10.0 * options_.singular_openness + options_.axis_tolerance) return false;
+    if (solver_.opennessAt(before.q) > 10.0 * options_.singular_openness + options_.axis_tolerance)
+      return false;
     const TipAxis from{points_[i - 1].tip, points_[i - 1].axis};
     const TipAxis to{points_[i].tip, points_[i].axis};
     const JointPositions end = nearestTurns(before.q, state.q);
@@ -187,8 +192,8 @@ class Planner {
     first_.push_back(steps_.size());
     for (const State& state : states) {
       const Alternative& one = tracker_.alternatives()[static_cast<std::size_t>(state.alternative)];
-      steps_.push_back({state.q, static_cast<float>(one.openness), state.parent,
-                        static_cast<std::int16_t>(one.iterations), state.switched, state.turned});
+      steps_.push_back(
+          {state.q, state.parent, static_cast<std::int16_t>(one.iterations), state.switched, state.turned});
     }
   }
 
@@ -199,12 +204,13 @@ class Planner {
     auto at = static_cast<std::int32_t>(best - states_.begin());
     for (std::size_t i = points_.size(); i-- > 0;) {
       const Step& step = steps_[first_[i] + static_cast<std::size_t>(at)];
-      plan.points[i] = {step.q, step.iterations, step.openness, step.switched, step.turned};
+      plan.points[i] = {step.q, step.iterations, 1.0, step.switched, step.turned};
       at = step.parent;
     }
     for (std::size_t i = 0; i < plan.points.size(); ++i) {
       PlannedPoint& point = plan.points[i];
       if (i > 0) point.q = nearestTurns(plan.points[i - 1].q, point.q);
+      point.openness = solver_.opennessAt(point.q);
       plan.singular += point.openness < options_.singular_openness ? 1 : 0;
       if (!point.switched) continue;
       ++plan.switches;
